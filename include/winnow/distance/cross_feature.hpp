@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// The distance of a feature, relative to its residual noise and its local contrast.
+/// Rousselle, Manzi, Zwicker, "Robust Denoising using Feature and Color Information", 2013, section 5.
+#include <winnow/core/error.hpp>
+#include <winnow/distance/concept.hpp>
+
+namespace winnow::distance {
+
+/// sum over channels of
+///     ((f(p) - f(q))^2 - (Var[p] + min(Var[p], Var[q]))) / (k^2 max(tau, Var[p], |Grad[p]|^2)).
+/// No unit.  The feature is expected in unit range; Var is the variance that is left in it.
+template <guide G>
+struct cross_feature {
+    using role = role::distance;
+    using reads = planes<G, variance_of<G>, gradient_of<G>>;
+
+    float k = 0.6f;     ///< sensitivity: larger forgives more
+    float tau = 1e-3f;  ///< squared contrast below which a difference does not matter, in squared units of the feature
+
+    template <class Real, class Planes>
+    WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
+        Real sum(0);
+        for (int c = 0; c < G::channels; ++c) {
+            const Real var_p = pq.p(variance_of<G>{}, c);
+            const Real floor = math::max(math::max(var_p, pq.p(gradient_of<G>{}, c)), Real(tau));
+            const Real difference = pq.p(G{}, c) - pq.q(G{}, c);
+            const Real explained = var_p + math::min(var_p, pq.q(variance_of<G>{}, c));
+            const Real scale = math::reciprocal(floor * Real(k * k));
+            sum = math::fma(math::fma(difference, difference, -explained), scale, sum);
+        }
+        return sum;
+    }
+    bool operator==(const cross_feature&) const = default;
+
+    void check() const {
+        if (!(k > 0)) fail("cross_feature: k is " + std::to_string(k) + ", it must be above 0");
+        if (!(tau >= 1e-30f)) fail("cross_feature: tau is " + std::to_string(tau) + ", it must be 1e-30 or more");
+    }
+};
+static_assert(distance_policy<cross_feature<normal_t>>);
+
+/// The numbers of cross_feature, for use with designators:  cross(albedo, {.tau = 1e-4f}).
+struct cross_feature_numbers {
+    float k = 0.6f;
+    float tau = 1e-3f;
+};
+
+}  // namespace winnow::distance
+
+namespace winnow {
+
+template <guide G>
+constexpr auto cross(G, distance::cross_feature_numbers numbers = {}) {
+    return distance::cross_feature<G>{numbers.k, numbers.tau};
+}
+
+}  // namespace winnow

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// SIMD lanes, tile by tile, offset by offset.
+#include <winnow/executor/concept.hpp>
+#include <winnow/executor/finish.hpp>
+#include <winnow/executor/lanes.hpp>
+#include <winnow/executor/patches.hpp>
+
+namespace winnow::executor {
+
+/// The schedule, for one tile in the cache:
+///     for each row of offsets, a few offsets at a time
+///         work out the patch distances of these offsets for the whole tile           (see patches.hpp)
+///         for each batch of pixels: weights of these offsets, then all sums of w and of w u
+/// What depends on p alone is computed once for all offsets of a group, and each sum is kept in a register over them.
+/// Each pixel meets its neighbours in the same order whatever the tile: the bits do not depend on tiles or threads.
+struct offset_major {
+    extent largest_tile{80, 32};
+
+    /// Offsets per group; each takes a register for its weight.
+    static constexpr int group = 8;
+
+    template <class Sweep>
+    extent tile_size(const Sweep&, const sweep_buffers& buffers) const {
+        const int width = detail::ceil_div(std::max(1, buffers.size.width), lanes::size) * lanes::size;
+        const int largest = detail::ceil_div(std::max(1, largest_tile.width), lanes::size) * lanes::size;
+        return {std::min(largest, width), std::max(1, std::min(largest_tile.height, buffers.size.height))};
+    }
+
+    template <class Sweep>
+    std::size_t scratch_bytes(const Sweep& sweep, const sweep_buffers& buffers) const {
+        return memory_of(sweep, buffers, nullptr).bytes;
+    }
+
+    template <class Sweep>
+    void operator()(const Sweep& sweep, const sweep_buffers& buffers, rectangle tile, std::byte* scratch) const {
+        const auto memory = memory_of(sweep, buffers, scratch);
+        const staged_tile staged{tile.grown(memory.margin), memory.planes, memory.step};
+        stage(sweep, buffers, staged);
+        std::fill(memory.sums, memory.sums + memory.sums_count, 0.0f);
+
+        const prepared_patches_of<Sweep> ahead(sweep, buffers.size, memory.tile, group);
+        const auto weights = ahead.rewritten(sweep.weights);
+        const int reach = window_reach(sweep, buffers.size);
+        for (int dy = -reach; dy <= reach; ++dy) {
+            const int half = window_half_width(sweep, buffers.size, dy);
+            const int groups = detail::ceil_div(2 * half + 1, group);
+            for (int g = 0; g < groups; ++g) {
+                const int first = -half + (2 * half + 1) * g / groups;
+                const int last = -half + (2 * half + 1) * (g + 1) / groups;
+                ahead.prepare(staged, tile, first, last, dy, memory.patches);
+                accumulate(weights, buffers, memory, staged, tile, first, last, dy, ahead);
+            }
+        }
+        finish(sweep, buffers, memory, staged, tile);
+    }
+
+private:
+    /// The parts of the scratch memory; nothing is read behind a null base.
+    struct parts {
+        extent tile;
+        int margin;
+        pitch step;
+        float* planes;
+        float* sums;
+        std::ptrdiff_t sums_count;
+        float* patches;
+        std::size_t bytes;
+    };
+
+    template <class Sweep>
+    parts memory_of(const Sweep& sweep, const sweep_buffers& buffers, std::byte* base) const {
+        parts m;
+        m.tile = tile_size(sweep, buffers);
+        m.margin = winnow::margin(sweep, buffers.size);
+        const int values = static_cast<int>(buffers.values.size());
+        // A batch may start at the last pixel of the region.  Rows an odd number of cache lines apart spread over the
+        // sets of the cache.
+        const std::ptrdiff_t line = scratch_memory::alignment / sizeof(float);
+        m.step.plane = detail::ceil_div(m.tile.width + 2 * m.margin + lanes::size, line) * line;
+        m.step.row = m.step.plane * staged_planes<Sweep>(buffers);
+        if (m.step.row / line % 2 == 0) m.step.row += line;
+        std::size_t offset = 0;
+        const auto take = [&](std::size_t count) {
+            float* part = reinterpret_cast<float*>(base + offset);
+            offset += detail::aligned(sizeof(float) * count);
+            return part;
+        };
+        m.planes = take(m.step.row * (m.tile.height + 2 * m.margin) + lanes::size);
+        m.sums_count = static_cast<std::ptrdiff_t>(Sweep::count) * (1 + values) * m.tile.width * m.tile.height;
+        m.sums = take(m.sums_count);
+        m.patches = take(prepared_patches_of<Sweep>(sweep, buffers.size, m.tile, group).floats());
+        m.bytes = offset;
+        return m;
+    }
+
+    /// Adds the neighbours at offsets first .. last - 1 of row dy to the sums of every pixel of the tile.
+    template <class Weights, class Ahead>
+    static void accumulate(const Weights& weights, const sweep_buffers& buffers, const parts& memory,
+                           const staged_tile& staged, rectangle tile, int first, int last, int dy, const Ahead& ahead) {
+        using pair = pixel_pair<lanes, typename Ahead::reads>;
+        const int values = static_cast<int>(buffers.values.size()), count = last - first;
+        const int columns = detail::ceil_div(tile.x1 - tile.x0, lanes::size) * lanes::size;
+        for (int y = 0; y < tile.y1 - tile.y0; ++y)
+            for (int x = 0; x < columns; x += lanes::size) {
+                const float* p = staged.at(0, tile.x0 + x, tile.y0 + y);
+                const float* q = p + dy * staged.step.row + first;
+                float* sum = memory.sums + y * memory.tile.width + x;
+                const std::ptrdiff_t next = memory.tile.width * memory.tile.height;
+                const auto add = [&](const auto& weight) {
+                    lanes w[group];
+                    for (int i = 0; i < count; ++i)
+                        w[i] = weight(pair(p, q + i, staged.step, first + i, dy, ahead.at(memory.patches, i, x, y)));
+                    const auto add_plane = [&](const float* u) {
+                        lanes s = lanes::load(sum);
+                        for (int i = 0; i < count; ++i) s = lanes::fma(w[i], lanes::load(u + i), s);
+                        s.store(sum);
+                        sum += next;
+                    };
+                    add_plane(q);  // the coverage: the sum of the weights of the neighbours that exist
+                    const float* u = q + (1 + Ahead::reads::count) * staged.step.plane;
+                    for (int v = 0; v < values; ++v, u += staged.step.plane) add_plane(u);
+                };
+                std::apply([&](const auto&... weight) { (add(weight), ...); }, weights);
+            }
+    }
+
+    template <class Sweep>
+    static void finish(const Sweep& sweep, const sweep_buffers& buffers, const parts& memory, const staged_tile& staged,
+                       rectangle tile) {
+        const int values = static_cast<int>(buffers.values.size());
+        const std::ptrdiff_t next = memory.tile.width * memory.tile.height;
+        for (int k = 0; k < Sweep::count; ++k)
+            for (int y = tile.y0; y < tile.y1; ++y) {
+                float* sums = memory.sums + k * (1 + values) * next + (y - tile.y0) * memory.tile.width;
+                const auto input = [&](int v, int x) { return *staged.at(1 + Sweep::reads::count + v, x, y); };
+                write_row(
+                    buffers, sweep.estimator, k, tile, y,
+                    [&](int v, int x) {
+                        const float total = sums[x - tile.x0];
+                        return total > no_weight ? sums[(1 + v) * next + x - tile.x0] / total : input(v, x);
+                    },
+                    input);
+            }
+    }
+};
+
+/// One thread, all its lanes.
+struct simd {
+    using role = role::executor;
+    extent tile{80, 32};  ///< pixels worked on at a time: a matter of cache, never of results
+
+    offset_major kernel() const { return {tile}; }
+    int workers() const { return 1; }
+    template <class Work>
+    void dispatch(int count, const Work& work) const {
+        for (int i = 0; i < count; ++i) work(i);
+    }
+};
+static_assert(executor_policy<simd>);
+
+}  // namespace winnow::executor

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// Staging: one tile of the frame, with its halo, as float planes in the executor's own memory.  Whatever the caller's
+/// buffers are like (half, interleaved, bad pixels, a border nearby), a policy meets only such planes.
+#include <cstddef>
+#include <cstring>
+#include <winnow/executor/sweep.hpp>
+#include <winnow/frame/pixel_pair.hpp>
+
+namespace winnow {
+
+/// A tile in staged memory.
+struct staged_tile {
+    rectangle region;  ///< the pixels that are staged: the tile and its halo
+    float* origin;     ///< plane 0 (the coverage) at the region's upper left pixel
+    pitch step;
+
+    float* at(int plane, int x, int y) const {
+        return origin + plane * step.plane + (y - region.y0) * step.row + (x - region.x0);
+    }
+};
+
+namespace detail {
+
+inline void stage_plane(const source& from, const staged_tile& tile, int plane, border rule, bool non_negative) {
+    const int width = from.size.width, height = from.size.height;
+    const int inside0 = std::clamp(0, tile.region.x0, tile.region.x1);
+    const int inside1 = std::clamp(width, inside0, tile.region.x1);
+    for (int y = tile.region.y0; y < tile.region.y1; ++y) {
+        float* row = tile.at(plane, tile.region.x0, y) - tile.region.x0;  // row[x] is the pixel at x
+        // Batches read past the end of a row; what they find there must be a number.
+        std::fill(row + tile.region.x1, row + tile.region.x0 + tile.step.plane, 0.0f);
+        const int from_y = resolve(rule, y, height);
+        if (from_y < 0) {
+            std::fill(row + tile.region.x0, row + tile.region.x1, 0.0f);
+            continue;
+        }
+        if (from.type == scalar::float32 && from.step.pixel == sizeof(float))
+            std::memcpy(row + inside0, from.data + from_y * from.step.row + inside0 * from.step.pixel,
+                        sizeof(float) * static_cast<std::size_t>(inside1 - inside0));
+        else
+            for (int x = inside0; x < inside1; ++x) row[x] = from.at(x, from_y);
+        bool clean = true;
+        for (int x = inside0; x < inside1; ++x) clean &= is_finite(row[x]);
+        if (!clean)
+            for (int x = inside0; x < inside1; ++x)
+                if (!is_finite(row[x])) row[x] = contained(from, x, from_y);
+        if (non_negative)
+            for (int x = inside0; x < inside1; ++x) row[x] = std::max(row[x], 0.0f);
+        const auto outside = [&](int x) {
+            const int from_x = resolve(rule, x, width);
+            if (from_x < 0) return 0.0f;
+            const float value = contained(from, from_x, from_y);
+            return non_negative ? std::max(value, 0.0f) : value;
+        };
+        for (int x = tile.region.x0; x < inside0; ++x) row[x] = outside(x);
+        for (int x = inside1; x < tile.region.x1; ++x) row[x] = outside(x);
+    }
+}
+
+inline void stage_coverage(extent size, const staged_tile& tile, border rule) {
+    for (int y = tile.region.y0; y < tile.region.y1; ++y)
+        for (int x = tile.region.x0; x < tile.region.x1; ++x)
+            *tile.at(0, x, y) = resolve(rule, x, size.width) >= 0 && resolve(rule, y, size.height) >= 0 ? 1.0f : 0.0f;
+    for (int y = tile.region.y0; y < tile.region.y1; ++y)
+        std::fill(tile.at(0, tile.region.x1, y), tile.at(0, tile.region.x0, y) + tile.step.plane, 0.0f);
+}
+
+/// See gradient_of.  On the rim of the region, where a neighbour is not staged, it is 0; no policy looks there.
+inline void stage_gradient(extent size, const staged_tile& tile, int from, int to) {
+    const auto& r = tile.region;
+    const auto smaller = [](float before, float here, float after) {
+        const float a = (here - before) / 2, b = (after - here) / 2;
+        return std::min(a * a, b * b);
+    };
+    for (int y = r.y0; y < r.y1; ++y)
+        for (int x = r.x0; x < r.x1; ++x) {
+            float sum = 0;
+            const float here = *tile.at(from, x, y);
+            if (x > std::max(r.x0, 0) && x + 1 < std::min(r.x1, size.width))
+                sum += smaller(*tile.at(from, x - 1, y), here, *tile.at(from, x + 1, y));
+            if (y > std::max(r.y0, 0) && y + 1 < std::min(r.y1, size.height))
+                sum += smaller(*tile.at(from, x, y - 1), here, *tile.at(from, x, y + 1));
+            *tile.at(to, x, y) = sum;
+        }
+}
+
+template <class G>
+struct gradient_source;
+template <class G>
+struct gradient_source<gradient_of<G>> {
+    using type = G;
+};
+
+}  // namespace detail
+
+/// The number of planes that a sweep stages: coverage, guides, values.
+template <class Sweep>
+int staged_planes(const sweep_buffers& buffers) {
+    return 1 + Sweep::reads::count + static_cast<int>(buffers.values.size());
+}
+
+/// Fills the planes of a tile.  Value v lies in plane 1 + reads::count + v.
+template <class Sweep>
+void stage(const Sweep& sweep, const sweep_buffers& buffers, const staged_tile& tile) {
+    using reads = typename Sweep::reads;
+    detail::stage_coverage(buffers.size, tile, sweep.rule);
+    reads::for_each([&]<class G>(G) {
+        for (int c = 0; c < G::channels; ++c) {
+            const int slot = slot_of<G>(reads{}) + c;
+            if constexpr (!detail::is_gradient<G>)
+                detail::stage_plane(buffers.guides[slot], tile, 1 + slot, sweep.rule, detail::is_variance<G>);
+        }
+    });
+    reads::for_each([&]<class G>(G) {
+        if constexpr (detail::is_gradient<G>)
+            for (int c = 0; c < G::channels; ++c)
+                detail::stage_gradient(buffers.size, tile,
+                                       1 + slot_of<typename detail::gradient_source<G>::type>(reads{}) + c,
+                                       1 + slot_of<G>(reads{}) + c);
+    });
+    for (int v = 0; v < static_cast<int>(buffers.values.size()); ++v)
+        detail::stage_plane(buffers.values[v], tile, 1 + reads::count + v, sweep.rule, false);
+}
+
+}  // namespace winnow

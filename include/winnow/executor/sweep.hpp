@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// What an executor is asked to do: weights over one window, and the layers that they are applied to.
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+#include <winnow/core/expression.hpp>
+#include <winnow/frame/planes.hpp>
+#include <winnow/image/border.hpp>
+#include <winnow/image/plane.hpp>
+
+namespace winnow {
+
+/// Several filters over one window, run together so that what they share is worked out once.
+template <class Window, class Estimator, class... Weights>
+struct sweep {
+    using reads = joined<typename Weights::reads...>;
+    static constexpr int count = sizeof...(Weights);
+
+    Window window;
+    Estimator estimator;
+    border rule = border::clip;
+    std::tuple<Weights...> weights;
+};
+
+/// The memory of one sweep, type-erased; filled by the filter, used again from run to run.
+struct sweep_buffers {
+    extent size;
+    std::vector<source> guides;   ///< one a plane of `reads`; empty where the executor derives the plane
+    std::vector<source> values;   ///< the planes to filter: colour, its halves if asked for, further layers
+    std::vector<target> results;  ///< [weight][value]; empty where nobody asked for it
+    std::vector<target> errors;   ///< [weight][channel of colour]; likewise
+    int channels = 0;             ///< of colour: values[0 .. channels) are its mean, then come its halves
+};
+
+namespace detail {
+template <class Node>
+int reach_of(const Node& node) {
+    int reach = 0;
+    visit(node, [&](const auto& part) {
+        // A patch within a patch looks as far as both together.
+        if constexpr (requires { part.reach(); }) reach += part.reach();
+    });
+    return reach;
+}
+
+template <class G>
+inline constexpr bool is_gradient = false;
+template <class G>
+inline constexpr bool is_gradient<gradient_of<G>> = true;
+template <class G>
+inline constexpr bool is_variance = false;
+template <class G>
+inline constexpr bool is_variance<variance_of<G>> = true;
+
+template <class... G>
+constexpr bool any_gradient(planes<G...>) {
+    return (is_gradient<G> || ...);
+}
+}  // namespace detail
+
+/// The window's reach and half width as far as an image of this size can feel them: clipped offsets add nothing.
+template <class Sweep>
+int window_reach(const Sweep& s, extent size) {
+    return s.rule == border::clip ? std::min(s.window.reach(), std::max(size.width, size.height)) : s.window.reach();
+}
+template <class Sweep>
+int window_half_width(const Sweep& s, extent size, int dy) {
+    const int half = s.window.half_width(dy);
+    return s.rule == border::clip ? std::min(half, std::max(size.width, size.height)) : half;
+}
+
+/// How far beyond a pixel its weights look, besides the window.
+template <class Window, class Estimator, class... Weights>
+int weight_reach(const sweep<Window, Estimator, Weights...>& s) {
+    const int patches = std::apply([](const auto&... w) { return std::max({detail::reach_of(w)...}); }, s.weights);
+    return patches + (detail::any_gradient(typename sweep<Window, Estimator, Weights...>::reads{}) ? 1 : 0);
+}
+
+/// The pixels around a tile that have to be staged with it.
+template <class Sweep>
+int margin(const Sweep& s, extent size) {
+    return window_reach(s, size) + weight_reach(s);
+}
+
+/// How far from a pixel its result can depend on the input: filtering a crop that is larger by this on every side gives
+/// the same bits inside.  One more pixel than the planes need, because a bad pixel is mended from its neighbours.
+template <class Window, class Estimator, class... Weights>
+int halo(const sweep<Window, Estimator, Weights...>& s) {
+    return s.window.reach() + weight_reach(s) + 1;
+}
+
+}  // namespace winnow

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// Memory that outlives a run, so that the next run allocates nothing.
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <winnow/executor/sweep.hpp>
+
+namespace winnow {
+
+/// How far a run is; may be read, and `cancel` set, from any thread while the run goes on.
+struct progress {
+    std::atomic<int> done = 0;   ///< tiles that are finished
+    std::atomic<int> total = 0;  ///< tiles in all
+    std::atomic<bool> cancel =
+        false;  ///< set it, and the run stops before its next tile; the output is then incomplete
+};
+
+/// Bytes aligned to a cache line, grown on demand and never shrunk.
+class scratch_memory {
+public:
+    static constexpr std::size_t alignment = 64;
+
+    std::byte* reserve(std::size_t bytes) {
+        if (bytes > size_) {
+            memory_.reset();
+            size_ = 0;
+            memory_.reset(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{alignment})));
+            size_ = bytes;
+        }
+        return memory_.get();
+    }
+    std::size_t size() const { return size_; }
+
+private:
+    struct release {
+        void operator()(std::byte* p) const { ::operator delete (p, std::align_val_t{alignment}); }
+    };
+    std::unique_ptr<std::byte, release> memory_;
+    std::size_t size_ = 0;
+};
+
+/// All memory that a run needs beside the caller's images.  One run at a time.
+struct workspace {
+    scratch_memory tiles;   ///< the executor's
+    scratch_memory images;  ///< whole images between the passes of a filter with several
+    sweep_buffers buffers;
+    winnow::progress progress;
+};
+
+}  // namespace winnow

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// From named buffers to the planes of a sweep, with every check that the input needs, before any work.
+#include <cstdint>
+#include <span>
+#include <winnow/core/error.hpp>
+#include <winnow/executor/run.hpp>
+#include <winnow/frame/frame.hpp>
+#include <winnow/frame/output.hpp>
+
+namespace winnow::detail {
+
+inline void check_layer(const std::string& name, const basic_layer<const std::byte>& layer, int channels, extent size,
+                        const std::string& reference) {
+    if (layer.size != size) fail(name + " is " + to_string(layer.size) + ", " + reference + " is " + to_string(size));
+    if (layer.channels != channels)
+        fail(name + " has " + std::to_string(layer.channels) + " channels, it needs " + std::to_string(channels));
+}
+
+/// Whether a value of one layer can share a byte with a value of the other.
+inline bool overlap(const source& a, const source& b) {
+    struct interval {
+        std::intptr_t first, last;
+    };
+    const auto bytes = [](const source& s) {
+        interval i{reinterpret_cast<std::intptr_t>(s.data), reinterpret_cast<std::intptr_t>(s.data)};
+        const auto widen = [&i](std::intptr_t by) { (by < 0 ? i.first : i.last) += by; };
+        widen(s.step.pixel * (s.size.width - 1));
+        widen(s.step.row * (s.size.height - 1));
+        widen(s.step.channel * (s.channels - 1));
+        i.last += s.type == scalar::float32 ? 4 : 2;
+        return i;
+    };
+    const interval x = bytes(a), y = bytes(b);
+    if (x.last <= y.first || y.last <= x.first) return false;
+    // Two members of one array of pixels: they meet only if they share bytes within a pixel.
+    const std::ptrdiff_t pixel = a.step.pixel;
+    if (pixel <= 0 || pixel != b.step.pixel || a.step.row != b.step.row || a.step.row % pixel != 0) return true;
+    const std::ptrdiff_t size_a = a.type == scalar::float32 ? 4 : 2, size_b = b.type == scalar::float32 ? 4 : 2;
+    for (int i = 0; i < a.channels; ++i)
+        for (int j = 0; j < b.channels; ++j) {
+            const std::ptrdiff_t from_a = (b.data + j * b.step.channel) - (a.data + i * a.step.channel);
+            const std::ptrdiff_t d = (from_a % pixel + pixel) % pixel;  // b starts d bytes after an a
+            if (d < size_a || pixel - d < size_b) return true;
+        }
+    return false;
+}
+
+/// What the frame filters: its colour, unless it says otherwise.
+template <class Frame>
+constexpr auto filtered_guide(const Frame& in) {
+    if constexpr (requires { in.filtered(); }) return in.filtered();
+    else return color;
+}
+
+template <class Frame, class G>
+source find_or_fail(const Frame& in, G) {
+    static_assert(Frame::has(G{}), "the filter reads a buffer that the frame does not have");
+    const source layer = in.find(G{});
+    if (!layer) fail("the filter needs " + G::name() + ", which the frame does not have");
+    return layer;
+}
+
+/// Fills the buffers of a sweep from a frame and one output for each of its weights.
+template <class Sweep, class Frame>
+void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out, sweep_buffers& buffers) {
+    const auto value = filtered_guide(in);
+    const source main = find_or_fail(in, value);
+    const std::string main_name = value.name();
+    if (main.size.width < 1 || main.size.height < 1)
+        fail(main_name + " is " + to_string(main.size) + ": there is nothing to filter");
+    if (main.channels != value.channels)
+        fail(main_name + " has " + std::to_string(main.channels) + " channels, it needs " +
+             std::to_string(value.channels));
+    buffers.size = main.size;
+    buffers.channels = main.channels;
+    buffers.guides.clear();
+    buffers.values.clear();
+    buffers.results.clear();
+    buffers.errors.clear();
+
+    Sweep::reads::for_each([&]<class G>(G) {
+        source layer;
+        if constexpr (!is_gradient<G>) {
+            layer = find_or_fail(in, G{});
+            check_layer(G::name(), layer, G::channels, buffers.size, main_name);
+        }
+        for (int c = 0; c < G::channels; ++c) buffers.guides.push_back(layer ? layer.channel(c) : source{});
+    });
+
+    const auto add_values = [&](const source& layer) {
+        for (int c = 0; c < layer.channels; ++c) buffers.values.push_back(layer.channel(c));
+    };
+    add_values(main);
+    bool halves = false, errors = false;
+    for (const output& o : out) {
+        halves = halves || o.half_a() || o.half_b();
+        errors = errors || o.error();
+        if (o.layers().size() != out[0].layers().size()) fail("the outputs do not ask for the same further layers");
+    }
+    if (errors && !sweep.estimator.reports)
+        fail(
+            "an error image is asked for, but the filter has no estimator; use "
+            "filter.with(estimator::standard_error{})");
+    if (halves || (errors && sweep.estimator.needs_halves)) {
+        halves = true;
+        const auto half = [&](auto g) {
+            const source layer = in.find(g);
+            if (!layer)
+                fail("half buffers are asked for, but the frame has no " + g.name() +
+                     "; render the frame twice with other seeds, or split its samples by parity");
+            check_layer(g.name(), layer, buffers.channels, buffers.size, main_name);
+            add_values(layer);
+        };
+        half(first_half(value));
+        half(second_half(value));
+    }
+    for (const auto& layer : out[0].layers()) {
+        check_layer("a further layer", layer.first, layer.first.channels, buffers.size, main_name);
+        add_values(layer.first);
+    }
+
+    const auto add_target = [&](const target& to, int channels, const char* what) {
+        if (to) {
+            check_layer(what, source(to), channels, buffers.size, main_name);
+            for (const source& from : buffers.guides)
+                if (from && overlap(from, to))
+                    fail(std::string(what) + " overlaps the input; filter into other memory");
+            for (const source& from : buffers.values)
+                if (overlap(from, to)) fail(std::string(what) + " overlaps the input; filter into other memory");
+        }
+        for (int c = 0; c < channels; ++c) buffers.results.push_back(to ? to.channel(c) : target{});
+    };
+    for (const output& o : out) {
+        add_target(o.mean(), buffers.channels, "the output");
+        if (halves) {
+            add_target(o.half_a(), buffers.channels, "the output of the first half");
+            add_target(o.half_b(), buffers.channels, "the output of the second half");
+        }
+        for (std::size_t i = 0; i < o.layers().size(); ++i) {
+            if (o.layers()[i].first != out[0].layers()[i].first)
+                fail("the outputs do not ask for the same further layers");
+            add_target(o.layers()[i].second, o.layers()[i].first.channels, "the output of a further layer");
+        }
+    }
+    // Errors are written like results, then kept apart.
+    const std::size_t results = buffers.results.size();
+    for (const output& o : out) add_target(o.error(), buffers.channels, "the output of the error");
+    buffers.errors.assign(buffers.results.begin() + results, buffers.results.end());
+    buffers.results.resize(results);
+}
+
+/// Calls check() of every policy that has one.
+template <class Sweep>
+void check_numbers(const Sweep& sweep) {
+    const auto check = [](const auto& part) {
+        if constexpr (requires { part.check(); }) part.check();
+    };
+    check(sweep.window);
+    std::apply([&](const auto&... w) { (visit(w, check), ...); }, sweep.weights);
+}
+
+template <class Sweep, class Frame, class Executor>
+void run_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out, const Executor& executor,
+               workspace& memory) {
+    check_numbers(sweep);
+    bind_sweep(sweep, in, out, memory.buffers);
+    run_tiles(executor.kernel(), sweep, memory, executor.workers(),
+              [&](int count, const auto& work) { executor.dispatch(count, work); });
+}
+
+}  // namespace winnow::detail

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// A filter: the sum over neighbours  F(p) = sum_q w(p,q) u(q) / sum_q w(p,q), as a value.
+#include <winnow/estimator/none.hpp>
+#include <winnow/executor/serial.hpp>
+#include <winnow/filter/bind.hpp>
+#include <winnow/weight/concept.hpp>
+#include <winnow/window/square.hpp>
+
+namespace winnow {
+
+/// What is computed is in the type and its numbers; who runs it is an argument of the call.
+///     filter{gaussian(spatial, 3) * gaussian(l2(albedo), 0.1f), window::square{.radius = 7}}
+template <weight_policy Weight, window_policy Window = window::square, estimator_policy Estimator = estimator::none>
+struct filter {
+    using reads = typename Weight::reads;
+
+    Weight weight;
+    Window window{};
+    Estimator estimator{};
+    winnow::border border = winnow::border::clip;
+
+    /// Filters the colour of `in` into `out`.  Throws invalid_input before any work if buffers or numbers do not fit.
+    /// Non-finite pixels are replaced by the mean of their finite neighbours (see `diagnose`, which counts them).
+    template <class Frame, executor_policy Executor = executor::serial<>>
+    void operator()(const Frame& in, const output& out, const Executor& executor = {}) const {
+        workspace memory;
+        (*this)(in, out, executor, memory);
+    }
+    /// The same with the caller's workspace: from the second run of the same size on, nothing is allocated.
+    template <class Frame, executor_policy Executor>
+    void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory) const {
+        detail::run_sweep(as_sweep(), in, std::span(&out, 1), executor, memory);
+    }
+
+    /// The same filter with another estimator, window or border.
+    template <estimator_policy E>
+    constexpr filter<Weight, Window, E> with(E e) const {
+        return {weight, window, e, border};
+    }
+    template <window_policy W>
+    constexpr filter<Weight, W, Estimator> with(W w) const {
+        return {weight, w, estimator, border};
+    }
+    constexpr filter with(winnow::border b) const { return {weight, window, estimator, b}; }
+
+    auto as_sweep() const {
+        return sweep<Window, Estimator, Weight>{window, estimator, border, std::tuple<Weight>(weight)};
+    }
+    bool operator==(const filter&) const = default;
+};
+
+template <class W>
+filter(W) -> filter<W>;
+template <class W, class Window>
+filter(W, Window) -> filter<W, Window>;
+template <class W, class Window, class E>
+filter(W, Window, E) -> filter<W, Window, E>;
+template <class W, class Window, class E>
+filter(W, Window, E, border) -> filter<W, Window, E>;
+
+/// How far from a pixel its result can depend on the input, in pixels.
+template <class W, class Window, class E>
+int halo(const filter<W, Window, E>& f) {
+    return halo(f.as_sweep());
+}
+
+/// What a run over an image of this size will take; `values` counts the planes to filter: 3 for the colour, 6 more with
+/// halves, and those of further layers.
+template <class W, class Window, class E, executor_policy Executor>
+run_plan plan(const filter<W, Window, E>& f, extent size, const Executor& executor, int values = 3) {
+    sweep_buffers buffers;
+    buffers.size = size;
+    buffers.values.resize(values);
+    return plan_tiles(executor.kernel(), f.as_sweep(), buffers, executor.workers());
+}
+
+}  // namespace winnow

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// A frame: the renderer's buffers under their names, without a copy.
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+#include <winnow/core/error.hpp>
+#include <winnow/frame/planes.hpp>
+
+namespace winnow {
+
+/// Buffers known when the program is compiled:  frame{color = rgb, albedo = texture, variance(color) = noise}.
+/// A filter that reads a buffer which is not in the list does not compile.
+template <class... G>
+class frame {
+public:
+    frame(bound<G>... layers) : layers_(layers...) {}
+
+    template <guide H>
+    static constexpr bool has(H) {
+        return (std::is_same_v<H, G> || ...);
+    }
+    template <guide H>
+    source find(H) const {
+        if constexpr (has(H{})) return std::get<bound<H>>(layers_).layer;
+        else return {};
+    }
+
+private:
+    std::tuple<bound<G>...> layers_;
+};
+template <class... G>
+frame(bound<G>...) -> frame<G...>;
+
+/// Buffers known only when the program runs, from a file for instance.  A filter that reads one which is not there
+/// throws invalid_input and names it.
+class named_layers {
+public:
+    /// Binds a name, as guides spell it ("albedo", "color.variance"); a name bound before is bound anew.
+    void bind(const std::string& name, source layer) {
+        for (auto& known : layers_)
+            if (known.first == name) {
+                known.second = layer;
+                return;
+            }
+        layers_.emplace_back(name, layer);
+    }
+
+    template <guide H>
+    static constexpr bool has(H) {
+        return true;
+    }
+    template <guide H>
+    source find(H) const {
+        return find(H::name());
+    }
+    source find(const std::string& name) const {
+        for (const auto& known : layers_)
+            if (known.first == name) return known.second;
+        return {};
+    }
+
+private:
+    std::vector<std::pair<std::string, source>> layers_;
+};
+
+/// The frame with one half of the samples as what is filtered and the other half as what guides:
+/// `color` is Guide<color>, its variance that of Guide<color>, and the filter is applied to Value<color>.
+template <class Frame, template <class> class Guide, template <class> class Value>
+struct crossed_frame {
+    const Frame& in;
+
+    template <guide H>
+    static constexpr bool has(H) {
+        return Frame::has(substitute(H{}));
+    }
+    template <guide H>
+    source find(H) const {
+        return in.find(substitute(H{}));
+    }
+    auto filtered() const { return Value<color_t>{}; }
+
+    template <guide H>
+    static constexpr auto substitute(H) {
+        if constexpr (std::is_same_v<H, color_t>) return Guide<color_t>{};
+        else if constexpr (std::is_same_v<H, variance_of<color_t>>) return variance_of<Guide<color_t>>{};
+        else return H{};
+    }
+};
+
+}  // namespace winnow

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// What a window is.
+#include <concepts>
+#include <winnow/core/role.hpp>
+
+namespace winnow {
+
+/// Which neighbours are asked?  All offsets (dx, dy) with |dy| <= reach() and |dx| <= half_width(dy); a negative half
+/// width means none in that row.  Symmetric in dx and dy, and it holds (0, 0).
+template <class W>
+concept window_policy = plays<W, role::window> && requires(const W w, int dy) {
+    { w.reach() } -> std::same_as<int>;
+    { w.half_width(dy) } -> std::same_as<int>;
+};
+
+/// The number of offsets in a window.
+template <window_policy W>
+constexpr long long area(const W& window) {
+    long long count = 0;
+    for (int dy = -window.reach(); dy <= window.reach(); ++dy)
+        if (const int half = window.half_width(dy); half >= 0) count += 2LL * half + 1;
+    return count;
+}
+
+}  // namespace winnow

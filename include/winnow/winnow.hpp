@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// The core of winnow for one CPU thread.  Faster executors, papers, metrics and files have headers of their own:
+/// executor/{simd,openmp,pool}.hpp, paper/, metric/, io/.
+#include <winnow/distance/combine.hpp>
+#include <winnow/distance/cross_feature.hpp>
+#include <winnow/distance/noise_normalized.hpp>
+#include <winnow/distance/patch.hpp>
+#include <winnow/distance/spatial.hpp>
+#include <winnow/distance/squared_difference.hpp>
+#include <winnow/estimator/none.hpp>
+#include <winnow/estimator/standard_error.hpp>
+#include <winnow/executor/serial.hpp>
+#include <winnow/filter/candidates.hpp>
+#include <winnow/filter/dual_buffer.hpp>
+#include <winnow/filter/filter.hpp>
+#include <winnow/frame/frame.hpp>
+#include <winnow/frame/output.hpp>
+#include <winnow/image/image.hpp>
+#include <winnow/weight/combine.hpp>
+#include <winnow/weight/cutoff.hpp>
+#include <winnow/weight/exponential.hpp>
+#include <winnow/weight/gaussian.hpp>
+#include <winnow/window/disk.hpp>
+#include <winnow/window/square.hpp>
