@@ -7,7 +7,7 @@ function(winnow_install target)
   install(EXPORT winnow-targets NAMESPACE winnow:: DESTINATION ${destination})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/winnow-config-version.cmake
     COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-  configure_package_config_file(cmake/winnow-config.cmake.in ${PROJECT_BINARY_DIR}/winnow-config.cmake
+  configure_package_config_file(.cmake/winnow-config.cmake.in ${PROJECT_BINARY_DIR}/winnow-config.cmake
     INSTALL_DESTINATION ${destination})
   install(FILES ${PROJECT_BINARY_DIR}/winnow-config.cmake ${PROJECT_BINARY_DIR}/winnow-config-version.cmake
     DESTINATION ${destination})
