@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// The variance of the pixel mean, from what a renderer has to offer: two halves of its samples, or several renders.
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+#include <winnow/core/error.hpp>
+#include <winnow/image/plane.hpp>
+
+namespace winnow {
+
+namespace detail {
+
+inline constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+inline void check_same(const char* what, const source& layer, const source& as) {
+    if (layer.size != as.size) fail(std::string(what) + " is " + to_string(layer.size) + ", not " + to_string(as.size));
+    if (layer.channels != as.channels)
+        fail(std::string(what) + " has " + std::to_string(layer.channels) + " channels, not " +
+             std::to_string(as.channels));
+}
+
+}  // namespace detail
+
+/// How much of (A - B)^2 is the variance of the mean of two halves of n_a and n_b samples: 1/4 for equal halves.
+constexpr float share_of_halves(int n_a = 1, int n_b = 1) {
+    const float n = static_cast<float>(n_a + n_b);
+    return static_cast<float>(n_a) / n * (static_cast<float>(n_b) / n);
+}
+
+/// The variance of the mean of two halves A and B: share (A - B)^2, averaged over the square of the given radius as far
+/// as it lies in the image.  Raw, it has a relative deviation of sqrt 2 and is useless as a weight; 3x3 does best on
+/// real renders.  The variance of one half alone is twice that.  Pixels where A or B is no number are left out of the
+/// average; where none is left the variance is NaN: unknown.  `to` must not overlap A or B.
+inline void variance_from_halves(const source& a, const source& b, const target& to, int radius = 1,
+                                 float share = share_of_halves()) {
+    detail::check_same("the second half", b, a);
+    detail::check_same("the variance", source(to), a);
+    const extent size = a.size;
+    std::vector<double> sum(size.width), count(size.width);
+    for (int c = 0; c < a.channels; ++c) {
+        const source x_plane = a.channel(c), y_plane = b.channel(c);
+        for (int y = 0; y < size.height; ++y) {
+            std::fill(sum.begin(), sum.end(), 0.0);
+            std::fill(count.begin(), count.end(), 0.0);
+            for (int j = std::max(0, y - radius); j <= std::min(size.height - 1, y + radius); ++j)
+                for (int x = 0; x < size.width; ++x) {
+                    const float difference = x_plane.at(x, j) - y_plane.at(x, j);
+                    if (!is_finite(difference)) continue;
+                    sum[x] += double{difference} * difference;
+                    ++count[x];
+                }
+            for (int x = 0; x < size.width; ++x) {
+                double squares = 0, pixels = 0;
+                for (int i = std::max(0, x - radius); i <= std::min(size.width - 1, x + radius); ++i) {
+                    squares += sum[i];
+                    pixels += count[i];
+                }
+                to.channel(c).set(x, y, pixels > 0 ? static_cast<float>(share * squares / pixels) : detail::unknown);
+            }
+        }
+    }
+}
+
+/// The mean of independent renders of one frame, and the variance of that mean: in two passes, because the difference
+/// of two large squares would cancel.  A pixel of a render that is no number counts as not rendered.  The mean is NaN
+/// where no render has the pixel, the variance where fewer than two have it.  Either target may be empty.
+inline void mean_and_variance(std::span<const source> renders, const target& mean, const target& variance) {
+    if (renders.empty()) fail("there are no renders to take the mean of");
+    for (const source& r : renders) detail::check_same("a render", r, renders[0]);
+    if (mean) detail::check_same("the mean", source(mean), renders[0]);
+    if (variance) detail::check_same("the variance", source(variance), renders[0]);
+    const extent size = renders[0].size;
+    for (int c = 0; c < renders[0].channels; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                double sum = 0, squares = 0;
+                int n = 0;
+                const auto for_each = [&](const auto& f) {
+                    for (const source& r : renders)
+                        if (const float v = r.channel(c).at(x, y); is_finite(v)) f(double{v});
+                };
+                for_each([&](double v) { sum += v, ++n; });
+                const double centre = n ? sum / n : 0;
+                for_each([&](double v) { squares += (v - centre) * (v - centre); });
+                if (mean) mean.channel(c).set(x, y, n ? static_cast<float>(centre) : detail::unknown);
+                if (variance)
+                    variance.channel(c).set(
+                        x, y, n > 1 ? static_cast<float>(squares / (double(n) * (n - 1))) : detail::unknown);
+            }
+}
+
+}  // namespace winnow
