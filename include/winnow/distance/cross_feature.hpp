@@ -28,15 +28,18 @@ struct cross_feature {
             const Real difference = pq.p(G{}, c) - pq.q(G{}, c);
             const Real explained = var_p + math::min(var_p, pq.q(variance_of<G>{}, c));
             const Real scale = math::reciprocal(floor * Real(k * k));
-            sum = math::fma(math::fma(difference, difference, -explained), scale, sum);
+            sum = sum + (difference * difference - explained) * scale;
         }
         return sum;
     }
     bool operator==(const cross_feature&) const = default;
 
+    /// Within these bounds the denominator stays in the range of math::reciprocal.
     void check() const {
-        if (!(k > 0)) fail("cross_feature: k is " + std::to_string(k) + ", it must be above 0");
-        if (!(tau >= 1e-30f)) fail("cross_feature: tau is " + std::to_string(tau) + ", it must be 1e-30 or more");
+        if (!(k >= 1e-3f && k <= 1e6f))
+            fail("cross_feature: k is " + std::to_string(k) + ", it must be between 0.001 and 1e6");
+        if (!(tau >= 1e-30f && tau <= 1e10f))
+            fail("cross_feature: tau is " + std::to_string(tau) + ", it must be between 1e-30 and 1e10");
     }
 };
 static_assert(distance_policy<cross_feature<normal_t>>);

@@ -31,18 +31,20 @@ struct noise_normalized {
             const Real var_q = pq.q(variance_of<G>{}, c);
             const Real difference = pq.p(G{}, c) - pq.q(G{}, c);
             // Subtracting Var[q] in full would reward a q that is noisier than p.
-            const Real unexplained = math::fma(difference, difference, -(var_p + math::min(var_p, var_q)));
-            const Real scale = math::reciprocal(math::fma(Real(k * k), var_p + var_q, Real(epsilon)));
+            const Real unexplained = difference * difference - (var_p + math::min(var_p, var_q));
+            const Real scale = math::reciprocal(Real(k * k) * (var_p + var_q) + Real(epsilon));
             sum = sum + math::min(unexplained * scale, Real(largest));
         }
         return sum * Real(1.0f / G::channels);
     }
     bool operator==(const noise_normalized&) const = default;
 
+    /// Within these bounds the denominator stays in the range of math::reciprocal.
     void check() const {
-        if (!(k > 0)) fail("noise_normalized: k is " + std::to_string(k) + ", it must be above 0");
-        if (!(epsilon >= 1e-30f))
-            fail("noise_normalized: epsilon is " + std::to_string(epsilon) + ", it must be 1e-30 or more");
+        if (!(k >= 1e-3f && k <= 1e6f))
+            fail("noise_normalized: k is " + std::to_string(k) + ", it must be between 0.001 and 1e6");
+        if (!(epsilon >= 1e-30f && epsilon <= 1e10f))
+            fail("noise_normalized: epsilon is " + std::to_string(epsilon) + ", it must be between 1e-30 and 1e10");
     }
 };
 static_assert(distance_policy<noise_normalized<color_t>>);
