@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// An example of every policy.  A policy that is listed here is held to all laws of its role; a test fails for one
+/// that is not.
+#include <tuple>
+#include <winnow/winnow.hpp>
+
+namespace winnow {
+
+using distances = std::tuple<distance::spatial,                                                                      //
+                             distance::squared_difference<albedo_t>,                                                 //
+                             distance::noise_normalized<color_t>,                                                    //
+                             distance::cross_feature<normal_t>,                                                      //
+                             distance::patch<distance::noise_normalized<color_t>>,                                   //
+                             distance::patch<distance::patch<distance::squared_difference<color_t>>>,                //
+                             distance::max_of<distance::cross_feature<albedo_t>, distance::cross_feature<depth_t>>,  //
+                             distance::sum_of<distance::noise_normalized<color_t>, distance::spatial>>;
+inline const distances distance_examples{spatial,
+                                         l2(albedo),
+                                         noise_normalized(color, {.k = 0.45f}),
+                                         cross(normal, {.k = 0.6f, .tau = 1e-3f}),
+                                         patch(noise_normalized(color), {.radius = 1}),
+                                         patch(patch(l2(color), {.radius = 1}), {.radius = 1}),
+                                         max(cross(albedo), cross(depth, {.tau = 1e-4f})),
+                                         noise_normalized(color) + spatial};
+
+using weights = std::tuple<
+    weight::gaussian<distance::spatial>,                                        //
+    weight::gaussian<distance::noise_normalized<color_t>>,                      //
+    weight::exponential<distance::squared_difference<albedo_t>>,                //
+    weight::exponential<distance::patch<distance::noise_normalized<color_t>>>,  //
+    weight::cutoff<distance::spatial>,                                          //
+    weight::cutoff<distance::noise_normalized<color_t>>,                        //
+    weight::min_of<weight::exponential<distance::noise_normalized<color_t>>,
+                   weight::exponential<distance::cross_feature<normal_t>>>,                                          //
+    weight::min_of<weight::cutoff<distance::spatial>, weight::gaussian<distance::squared_difference<albedo_t>>>,     //
+    weight::product_of<weight::gaussian<distance::spatial>, weight::exponential<distance::cross_feature<depth_t>>>,  //
+    weight::product_of<weight::gaussian<distance::squared_difference<color_t>>, weight::cutoff<distance::spatial>>>;
+inline const weights weight_examples{gaussian(spatial, 1.5f),
+                                     gaussian(noise_normalized(color), 0.7f),
+                                     exponential(l2(albedo)),
+                                     exponential(patch(noise_normalized(color), {.radius = 1})),
+                                     cutoff(spatial, 2),
+                                     cutoff(noise_normalized(color), 0.5f),
+                                     min(exponential(noise_normalized(color)), exponential(cross(normal))),
+                                     min(cutoff(spatial, 4), gaussian(l2(albedo), 0.3f)),
+                                     gaussian(spatial, 2) * exponential(cross(depth)),
+                                     gaussian(l2(color), 0.5f) * cutoff(spatial, 4)};
+
+using windows = std::tuple<window::square, window::disk>;
+inline constexpr windows window_examples{{.radius = 3}, {.radius = 4}};
+
+using estimators = std::tuple<estimator::none, estimator::standard_error>;
+inline constexpr estimators estimator_examples{};
+
+}  // namespace winnow
