@@ -13,7 +13,7 @@ struct planes {
     static constexpr int count = (0 + ... + G::channels);
 
     template <class F>
-    static constexpr void for_each(F f) {
+    static constexpr void for_each([[maybe_unused]] F f) {
         (f(G{}), ...);
     }
 };
