@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// The filters that every executor must run alike: the papers' and such as nobody would publish.
+#include <support/any_filter.hpp>
+#include <support/patterns.hpp>
+
+namespace winnow::test {
+
+struct filter_numbers {
+    int radius = 3;
+    int patch_radius = 1;
+    winnow::border border = border::clip;
+};
+
+any_filter joint_bilateral(filter_numbers n = {});
+any_filter bilateral(filter_numbers n = {});
+any_filter nlm(filter_numbers n = {});
+any_filter nlm_with_error(filter_numbers n = {});  ///< estimator::standard_error
+any_filter nlm_dual_buffer(filter_numbers n = {});
+any_filter rdfc_candidate(filter_numbers n = {});
+any_filter product_with_cutoff(filter_numbers n = {});  ///< 0 beyond a feature distance; a patch beside it
+any_filter max_and_sum(filter_numbers n = {});          ///< max and sum of distances
+any_filter disk(filter_numbers n = {});                 ///< a Gaussian blur over a disk
+any_filter opaque_patch(filter_numbers n = {});         ///< a patch hidden in a policy without decompose()
+any_filter patch_of_patch(filter_numbers n = {});
+any_filter two_patches(filter_numbers n = {});        ///< over different distances, of different radii
+any_filter three_candidates(filter_numbers n = {});   ///< sharing a distance in patches of different radii
+any_filter unlike_candidates(filter_numbers n = {});  ///< no patch, a patch, a patch of patches
+std::vector<any_filter> parts_of_three_candidates(filter_numbers n = {});  ///< the same, one by one
+std::vector<any_filter> parts_of_unlike_candidates(filter_numbers n = {});
+
+std::vector<any_filter> all_filters(filter_numbers n = {});
+
+}  // namespace winnow::test

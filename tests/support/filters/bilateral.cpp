@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <support/erase.hpp>
+#include <support/filters.hpp>
+#include <winnow/distance/combine.hpp>
+#include <winnow/paper/joint_bilateral.hpp>
+#include <winnow/weight/exponential.hpp>
+#include <winnow/window/disk.hpp>
+
+namespace winnow::test {
+
+any_filter joint_bilateral(filter_numbers n) {
+    return erase("joint bilateral", paper::make_joint_bilateral({.radius = n.radius}).with(n.border));
+}
+
+any_filter bilateral(filter_numbers n) {
+    return erase("bilateral", paper::make_bilateral({.radius = n.radius}).with(n.border));
+}
+
+any_filter max_and_sum(filter_numbers n) {
+    return erase("max and sum", filter{gaussian(max(l2(color), l2(albedo), l2(depth)) + l2(normal), 0.4f) *
+                                           exponential(l2(albedo) + l2(depth)),
+                                       window::square{.radius = n.radius}}
+                                    .with(n.border));
+}
+
+any_filter disk(filter_numbers n) {
+    return erase("disk", filter{gaussian(spatial, 2.0f), window::disk{.radius = n.radius}}.with(n.border));
+}
+
+}  // namespace winnow::test

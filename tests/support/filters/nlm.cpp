@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <support/erase.hpp>
+#include <support/filters.hpp>
+#include <winnow/estimator/standard_error.hpp>
+#include <winnow/paper/nlm_2012.hpp>
+
+namespace winnow::test {
+
+any_filter nlm(filter_numbers n) {
+    return erase("nlm", paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius}).with(n.border));
+}
+
+any_filter nlm_with_error(filter_numbers n) {
+    return erase("nlm with error", paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius})
+                                       .with(n.border)
+                                       .with(estimator::standard_error{}));
+}
+
+any_filter nlm_dual_buffer(filter_numbers n) {
+    return erase("nlm dual buffer",
+                 dual_buffer{paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius}).with(n.border)});
+}
+
+}  // namespace winnow::test
