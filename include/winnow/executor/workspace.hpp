@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 #include <winnow/executor/sweep.hpp>
+#include <winnow/frame/output.hpp>
 
 namespace winnow {
 
@@ -47,6 +48,7 @@ struct workspace {
     scratch_memory tiles;   ///< the executor's
     scratch_memory images;  ///< whole images between the passes of a filter with several
     sweep_buffers buffers;
+    output pass;  ///< where one pass of a filter with several writes
     winnow::progress progress;
 };
 

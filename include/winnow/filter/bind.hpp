@@ -11,11 +11,20 @@
 
 namespace winnow::detail {
 
-inline void check_layer(const std::string& name, const basic_layer<const std::byte>& layer, int channels, extent size,
-                        const std::string& reference) {
-    if (layer.size != size) fail(name + " is " + to_string(layer.size) + ", " + reference + " is " + to_string(size));
+// Names become strings only where a message needs them: a run that goes well allocates nothing.
+inline std::string name_of(const char* name) { return name; }
+template <guide G>
+std::string name_of(G) {
+    return G::name();
+}
+
+template <class Name, class Reference>
+void check_layer(Name name, const source& layer, int channels, extent size, Reference reference) {
+    if (layer.size != size)
+        fail(name_of(name) + " is " + to_string(layer.size) + ", " + name_of(reference) + " is " + to_string(size));
     if (layer.channels != channels)
-        fail(name + " has " + std::to_string(layer.channels) + " channels, it needs " + std::to_string(channels));
+        fail(name_of(name) + " has " + std::to_string(layer.channels) + " channels, it needs " +
+             std::to_string(channels));
 }
 
 /// Whether a value of one layer can share a byte with a value of the other.
@@ -67,11 +76,10 @@ template <class Sweep, class Frame>
 void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out, sweep_buffers& buffers) {
     const auto value = filtered_guide(in);
     const source main = find_or_fail(in, value);
-    const std::string main_name = value.name();
     if (main.size.width < 1 || main.size.height < 1)
-        fail(main_name + " is " + to_string(main.size) + ": there is nothing to filter");
+        fail(value.name() + " is " + to_string(main.size) + ": there is nothing to filter");
     if (main.channels != value.channels)
-        fail(main_name + " has " + std::to_string(main.channels) + " channels, it needs " +
+        fail(value.name() + " has " + std::to_string(main.channels) + " channels, it needs " +
              std::to_string(value.channels));
     buffers.size = main.size;
     buffers.channels = main.channels;
@@ -84,7 +92,7 @@ void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out
         source layer;
         if constexpr (!is_gradient<G>) {
             layer = find_or_fail(in, G{});
-            check_layer(G::name(), layer, G::channels, buffers.size, main_name);
+            check_layer(G{}, layer, G::channels, buffers.size, value);
         }
         for (int c = 0; c < G::channels; ++c) buffers.guides.push_back(layer ? layer.channel(c) : source{});
     });
@@ -110,20 +118,20 @@ void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out
             if (!layer)
                 fail("half buffers are asked for, but the frame has no " + g.name() +
                      "; render the frame twice with other seeds, or split its samples by parity");
-            check_layer(g.name(), layer, buffers.channels, buffers.size, main_name);
+            check_layer(g, layer, buffers.channels, buffers.size, value);
             add_values(layer);
         };
         half(first_half(value));
         half(second_half(value));
     }
     for (const auto& layer : out[0].layers()) {
-        check_layer("a further layer", layer.first, layer.first.channels, buffers.size, main_name);
+        check_layer("a further layer", layer.first, layer.first.channels, buffers.size, value);
         add_values(layer.first);
     }
 
     const auto add_target = [&](const target& to, int channels, const char* what) {
         if (to) {
-            check_layer(what, source(to), channels, buffers.size, main_name);
+            check_layer(what, source(to), channels, buffers.size, value);
             for (const source& from : buffers.guides)
                 if (from && overlap(from, to))
                     fail(std::string(what) + " overlaps the input; filter into other memory");

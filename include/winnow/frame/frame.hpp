@@ -54,7 +54,8 @@ public:
     }
     template <guide H>
     source find(H) const {
-        return find(H::name());
+        static const std::string name = H::name();
+        return find(name);
     }
     source find(const std::string& name) const {
         for (const auto& known : layers_)

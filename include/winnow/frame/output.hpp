@@ -35,6 +35,13 @@ public:
         layers_.emplace_back(from, to);
         return *this;
     }
+    /// Starts anew with another mean; what the list of layers has allocated is kept.
+    output& reset(const target& mean) {
+        mean_ = mean;
+        half_a_ = half_b_ = error_ = {};
+        layers_.clear();
+        return *this;
+    }
 
     const target& mean() const { return mean_; }
     const target& half_a() const { return half_a_; }
