@@ -14,8 +14,9 @@ struct disk {
 
     constexpr int reach() const { return radius; }
     constexpr int half_width(int dy) const {
+        const long long r = radius, y = dy, free = r * r - y * y;
         int half = -1;
-        while ((half + 1) * (half + 1) + dy * dy <= radius * radius) ++half;
+        for (long long x = 0; x * x <= free; ++x) ++half;
         return half;
     }
     bool operator==(const disk&) const = default;
