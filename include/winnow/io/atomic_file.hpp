@@ -28,7 +28,7 @@ public:
         std::random_device random;
         for (int attempt = 0; attempt < 16 && !file_; ++attempt) {
             temporary_ = target_;
-            temporary_.replace_filename("." + target_.filename().string() + "." + std::to_string(random()) + ".part");
+            temporary_ += ".part" + std::to_string(random());
             file_ = std::fopen(temporary_.c_str(), "wbx");
             if (!file_ && errno != EEXIST) break;
         }

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "inputs.hpp"
+
+#include <cmath>
+#include <set>
+#include <winnow/frame/variance.hpp>
+
+namespace denoise {
+
+namespace {
+
+using namespace winnow;
+
+std::string shown(rectangle r) {
+    return to_string(r.size()) + " at " + std::to_string(r.x0) + "," + std::to_string(r.y0);
+}
+
+/// One layer of all inputs.
+struct stack {
+    std::vector<image<float>> renders;
+    std::vector<source> every(std::size_t step, std::size_t from = 0) const {
+        std::vector<source> some;
+        for (std::size_t i = from; i < renders.size(); i += step) some.emplace_back(renders[i].view());
+        return some;
+    }
+};
+
+image<float> mean_of(std::span<const source> renders) {
+    image<float> mean(renders[0].size, renders[0].channels);
+    mean_and_variance(renders, mean.view(), {});
+    return mean;
+}
+
+/// Several renders: mean, halves and, of more than two, the variance.
+buffer combine(const stack& s) {
+    buffer b;
+    const auto all = s.every(1);
+    b.mean = mean_of(all);
+    if (all.size() < 2) return b;
+    b.half_a = mean_of(s.every(2));
+    b.half_b = mean_of(s.every(2, 1));
+    if (all.size() > 2) {
+        b.variance = image<float>(b.mean.size(), b.mean.channels());
+        mean_and_variance(all, {}, b.variance.view());
+    }
+    return b;
+}
+
+/// Gathers the layers that are needed, file by file.
+class gatherer {
+public:
+    gatherer(const options& o, const filter_entry& filter) : options_(o), filter_(filter) {}
+
+    void add(const std::string& file, const io::exr_image& image) {
+        const layer_finder finder(file, image.names(), options_.map);
+        for (const guide_entry& g : known_guides()) gather_guide(file, image, finder, g);
+        if (first_.empty()) {
+            if (options_.layers == names{"all"}) {
+                further_ = finder.all_further();
+            } else {
+                for (const std::string& name : options_.layers) further_.push_back(finder.further(name));
+            }
+        }
+        for (const file_layer& layer : further_) {
+            for (const std::string& channel : layer.channels)
+                if (!image.find(channel)) fail(file + ": there is no " + channel + ", but " + first_ + " has it");
+            keep(file, layer.name, layer.name, image.read(layer.channels), false);
+        }
+        if (const auto alpha = finder.alpha()) keep(file, *alpha, "alpha", image.read({*alpha}), false);
+        if (first_.empty()) first_ = file;
+    }
+
+    scene finish(io::exr_image carried) {
+        scene s;
+        s.carried = std::move(carried);
+        const std::size_t renders = options_.inputs.size();
+        s.half_a_renders = static_cast<int>((renders + 1) / 2);
+        s.half_b_renders = static_cast<int>(std::max<std::size_t>(1, renders / 2));
+        for (const guide_entry& g : known_guides())
+            if (stacks_.contains(g.name)) s.guides[g.name] = finish_guide(g.name);
+        for (const file_layer& layer : further_) {
+            buffer b = combine(stacks_[layer.name]);
+            b.variance = {};
+            s.layers.emplace_back(layer, std::move(b));
+        }
+        if (renders > 1 && stacks_["alpha"].renders.size() == renders)
+            s.carried.set(alpha_, source(combine(stacks_["alpha"]).mean.view()));
+        s.color_layer = color_layer_;
+        s.read = std::move(read_);
+        return s;
+    }
+
+private:
+    void gather_guide(const std::string& file, const io::exr_image& image, const layer_finder& finder,
+                      const guide_entry& g) {
+        const bool needed = filter_.needs_buffer(g.name);
+        if (!needed && !options_.diagnose) return;
+        const auto mean = finder.guide(g), a = finder.companion(g, "halfA"), b = finder.companion(g, "halfB");
+        const auto noise = finder.companion(g, "variance");
+        if (!mean && !(a && b)) {
+            if (needed)
+                fail(file + ": " + filter_.name + " needs " + g.name + ", which is not there (layers: " +
+                     finder.listing() + "); name it with --map " + g.name + "=LAYER");
+            return;
+        }
+        const auto read = [&](const std::optional<file_layer>& layer, const std::string& name, bool is_variance) {
+            if (layer)
+                keep(file, layer->name.empty() ? name : layer->name, name, image.read(layer->channels), is_variance);
+        };
+        read(mean, g.name, false);
+        if (g.name == "color" && first_.empty()) {
+            color_layer_ = mean ? *mean : file_layer{"", {"R", "G", "B"}};
+        }
+        if (mean && options_.inputs.size() > 1) return;  // the inputs are the halves
+        read(a, g.name + ".halfA", false);
+        read(b, g.name + ".halfB", false);
+        read(noise, g.name + ".variance", true);
+        if (!mean) {
+            const std::vector<source> halves{stacks_[g.name + ".halfA"].renders.back().view(),
+                                             stacks_[g.name + ".halfB"].renders.back().view()};
+            stacks_[g.name].renders.push_back(mean_of(halves));
+        }
+    }
+
+    void keep(const std::string& file, const std::string& shown_name, const std::string& name, image<float> pixels,
+              bool is_variance) {
+        if (name == "alpha") alpha_ = shown_name;
+        read_.push_back(diagnose(file + ": " + shown_name, source(pixels.view()), is_variance));
+        stacks_[name].renders.push_back(std::move(pixels));
+    }
+
+    buffer finish_guide(const std::string& name) {
+        buffer b = combine(stacks_[name]);
+        if (options_.inputs.size() > 1) return b;
+        const auto take = [&](const std::string& what, image<float>& to) {
+            if (stacks_.contains(name + what)) to = std::move(stacks_[name + what].renders[0]);
+        };
+        take(".variance", b.variance);
+        if (stacks_.contains(name + ".halfA") && stacks_.contains(name + ".halfB")) {
+            take(".halfA", b.half_a);
+            take(".halfB", b.half_b);
+        }
+        return b;
+    }
+
+    const options& options_;
+    const filter_entry& filter_;
+    std::string first_, alpha_;
+    file_layer color_layer_;
+    std::vector<file_layer> further_;
+    std::map<std::string, stack> stacks_;
+    std::vector<layer_diagnosis> read_;
+};
+
+/// v(value, derivative) maps each value of the buffer; the variance follows by the derivative there.
+template <class F>
+void map_values(buffer& b, const F& map) {
+    for (int c = 0; c < b.mean.channels(); ++c)
+        for (int y = 0; y < b.mean.size().height; ++y)
+            for (int x = 0; x < b.mean.size().width; ++x) {
+                float derivative = 1;
+                float& value = b.mean.at(x, y, c);
+                value = map(value, derivative);
+                b.variance.at(x, y, c) *= derivative * derivative;
+            }
+}
+
+/// Upwards to three bits: a bad pixel that holds the maximum changes a little of the scale, mostly nothing.
+double rounded_up(double value) {
+    if (!(value > 0)) return 1;
+    int exponent;
+    const double mantissa = std::frexp(value, &exponent);
+    return std::ldexp(std::ceil(mantissa * 8) / 8, exponent);
+}
+
+/// Where renderers put the depth of what is not there.
+bool is_sky(float depth) { return !is_finite(depth) || depth >= 1e9f; }
+
+double largest(const image<float>& plane) {
+    double most = 0;
+    for (int c = 0; c < plane.channels(); ++c)
+        for (int y = 0; y < plane.size().height; ++y)
+            for (int x = 0; x < plane.size().width; ++x)
+                if (const float v = plane.at(x, y, c); is_finite(v)) most = std::max(most, double{v});
+    return most;
+}
+
+void scale(buffer& b, double divisor) {
+    const float by = static_cast<float>(1 / divisor);
+    map_values(b, [&](float v, float& derivative) {
+        derivative = by;
+        return v * by;
+    });
+}
+
+/// Unit range, as the distances between features expect it.
+void normalise(const std::string& name, buffer& b) {
+    if (name == "normal") {
+        map_values(b, [](float n, float& derivative) {
+            derivative = 0.5f;
+            return (n + 1) / 2;
+        });
+    } else if (name == "albedo") {
+        // Real files hold emission and sky in the albedo, up to hundreds.
+        map_values(b, [](float a, float& derivative) {
+            const float above = std::max(a, 0.0f);
+            derivative = 1.442695f / (1 + above);
+            return is_finite(a) ? std::log2(1 + above) : a;
+        });
+        scale(b, rounded_up(largest(b.mean)));
+    } else if (name == "depth") {
+        map_values(b, [](float z, float&) { return is_sky(z) ? 0.0f : z; });
+        scale(b, rounded_up(largest(b.mean)));
+    }
+}
+
+}  // namespace
+
+named_layers scene::frame() const {
+    named_layers frame;
+    for (const auto& [name, b] : guides) {
+        const auto bind = [&](const std::string& as, const image<float>& pixels) {
+            if (pixels.channels()) frame.bind(as, pixels.view());
+        };
+        bind(name, b.mean);
+        bind(name + ".halfA", b.half_a);
+        bind(name + ".halfB", b.half_b);
+        bind(name + ".variance", b.variance);
+    }
+    return frame;
+}
+
+scene read_scene(const options& o, const filter_entry& filter) {
+    gatherer gathered(o, filter);
+    io::exr_image first;
+    for (std::size_t i = 0; i < o.inputs.size(); ++i) {
+        io::exr_image image = io::read_exr(o.inputs[i]);
+        if (i > 0 && image.data_window() != first.data_window())
+            fail(o.inputs[i] + " is " + shown(image.data_window()) + ", " + o.inputs[0] + " is " +
+                 shown(first.data_window()));
+        gathered.add(o.inputs[i], image);
+        if (i == 0) first = std::move(image);
+    }
+    scene s = gathered.finish(std::move(first));
+    if (filter.needs_buffer("halves") && !s.color().has_halves())
+        fail(o.inputs[0] + ": " + filter.name +
+             " needs two halves of the samples: give two renders with other seeds, or the layers halfA and halfB");
+    if (filter.needs_buffer("variance") && !s.color().has_halves() && !s.color().variance.channels())
+        fail(o.inputs[0] + ": " + filter.name +
+             " needs the variance of the colour: give two renders with other seeds, or the layer variance");
+    return s;
+}
+
+image<float> read_reference(const std::string& path, const scene& s) {
+    const io::exr_image file = io::read_exr(path);
+    const layer_finder finder(path, file.names(), {});
+    const auto color = finder.guide(known_guides()[0]);
+    if (!color) fail(path + ": there is no colour (layers: " + finder.listing() + ")");
+    if (file.data_window() != s.carried.data_window())
+        fail(path + " is " + shown(file.data_window()) + ", the input is " + shown(s.carried.data_window()));
+    return file.read(color->channels);
+}
+
+double squared_mean(const image<float>& mean) {
+    double sum = 0;
+    std::int64_t count = 0;
+    for (int c = 0; c < mean.channels(); ++c)
+        for (int y = 0; y < mean.size().height; ++y)
+            for (int x = 0; x < mean.size().width; ++x)
+                if (const float v = mean.at(x, y, c); is_finite(v)) sum += v, ++count;
+    const double average = count ? sum / static_cast<double>(count) : 0;
+    return average * average > 0 ? rounded_up(average * average) : 0;
+}
+
+void prepare(scene& s, const filter_entry& filter) {
+    const float share = share_of_halves(s.half_a_renders, s.half_b_renders);
+    for (auto& [name, b] : s.guides) {
+        const bool normalised = filter.unit_features && name != "color";
+        if (!b.variance.channels() && (name == "color" || normalised)) {
+            if (b.has_halves()) {
+                b.variance = image<float>(b.mean.size(), b.mean.channels());
+                variance_from_halves(b.half_a.view(), b.half_b.view(), b.variance.view(), 1, share);
+            } else if (normalised) {
+                b.variance = image<float>(b.mean.size(), b.mean.channels());  // taken for exact
+            }
+        }
+        if (normalised) normalise(name, b);
+    }
+}
+
+}  // namespace denoise

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// From files to the buffers of a frame.
+#include <map>
+#include <string>
+#include <vector>
+#include <winnow/frame/diagnose.hpp>
+#include <winnow/frame/frame.hpp>
+#include <winnow/image/image.hpp>
+#include <winnow/io/exr.hpp>
+
+#include "filters.hpp"
+#include "layers.hpp"
+#include "options.hpp"
+
+namespace denoise {
+
+/// A buffer and what is known about its noise.  Images that the input does not have are empty.
+struct buffer {
+    winnow::image<float> mean, half_a, half_b;
+    winnow::image<float> variance;  ///< of the mean
+    bool has_halves() const { return half_a.channels() > 0; }
+};
+
+/// All that was read.
+struct scene {
+    winnow::io::exr_image carried;  ///< the first input, with the alpha channel of all
+    file_layer color_layer;         ///< where the result goes
+    std::map<std::string, buffer> guides;
+    std::vector<std::pair<file_layer, buffer>> layers;
+    int half_a_renders = 1, half_b_renders = 1;
+    std::vector<winnow::layer_diagnosis> read;  ///< every layer of every input that was looked at
+
+    winnow::extent size() const { return carried.size(); }
+    const buffer& color() const { return guides.at("color"); }
+    /// The buffers as they were read, under the names of guides.
+    winnow::named_layers frame() const;
+};
+
+/// Reads what the filter and the further layers need.  Fails with the names of file and layer, and both sizes.
+scene read_scene(const options& o, const filter_entry& filter);
+
+/// The colour of a reference, which must cover what the scene covers.
+winnow::image<float> read_reference(const std::string& path, const scene& s);
+
+/// The square of the mean of a buffer, rounded to three bits: a single pixel does not change it.
+double squared_mean(const winnow::image<float>& mean);
+
+/// Adds the variances that are not given: those of the colour and its halves, and, where a filter wants its features
+/// in unit range, those of the features, which are normalised.
+void prepare(scene& s, const filter_entry& filter);
+
+}  // namespace denoise
