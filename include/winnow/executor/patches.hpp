@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 /// \file
-/// Patch distances worked out ahead for a whole tile: the distance of each pixel pair once, then sums along y and x, so
-/// that the cost of a patch hardly depends on its size.
+/// Patch distances worked out ahead, row by row: the distance of each pixel pair once, then sums along y and x, so that
+/// the cost of a patch hardly depends on its size.
 #include <algorithm>
 #include <winnow/executor/lanes.hpp>
 #include <winnow/executor/run.hpp>
@@ -41,11 +41,11 @@ bool same_distance(const A&, const B&) {
     return false;
 }
 
-/// sum of n values `step` floats apart, always in the same order: v0 + v1, then one after the other.
-WINNOW_HD lanes sum_of(const float* from, int n, std::ptrdiff_t step) {
-    lanes sum = lanes::load(from);
-    for (int i = 1; i < n; ++i) sum = sum + lanes::load(from + i * step);
-    return sum;
+/// row(0) + row(1) + ... + row(count - 1), added as a balanced tree: one order for each count, whatever the pixel.
+template <int Count, class Row>
+WINNOW_HD lanes tree_sum(const Row& row, int first = 0) {
+    if constexpr (Count == 1) return row(first);
+    else return tree_sum<Count / 2>(row, first) + tree_sum<Count - Count / 2>(row, first + Count / 2);
 }
 
 }  // namespace detail
@@ -63,10 +63,13 @@ public:
         std::apply([&](const auto&... p) { ((radius_ = std::max(radius_, p.radius)), ...); }, patches_);
     }
 
-    /// Memory for one group of offsets: the distances, then what prepare() needs on the way.
+    /// The largest radius of a patch.
+    int radius() const { return radius_; }
+
+    /// Memory for a group of offsets: the distances of one row of pixels, then what it takes to work them out.
     std::size_t floats() const {
         if constexpr (count == 0) return 0;
-        return result_floats() + column_floats() + sums_floats() + row_floats();
+        return 2 * result_floats() + ring_floats() + width();
     }
 
     /// The weights with every patch replaced by what prepare() worked out for it.
@@ -82,25 +85,106 @@ public:
             weights);
     }
 
-    /// Where the distances of the i-th offset of the group lie for the pixel (x, y) of the tile.
-    prepared at(const float* memory, int i, int x, int y) const {
-        return {memory + ((std::ptrdiff_t{y} * group_ + i) * count) * tile_.width + x, tile_.width};
+    /// Where the distances of the i-th offset of the group lie for the x-th pixel of the row.
+    prepared at(const float* memory, int i, int x) const {
+        return {memory + std::ptrdiff_t{i} * count * width() + x, width()};
     }
 
-    /// Works out the distances at offsets (first .. last - 1, dy) for every pixel of the tile.
-    void prepare(const staged_tile& staged, rectangle tile, int first, int last, int dy, float* memory) const {
-        if constexpr (count > 0)
-            for (int dx = first; dx < last; ++dx) prepare_offset(staged, tile, dx, dy, dx - first, memory);
+    /// Starts a group of offsets (first .. last - 1, dy).
+    void start(rectangle tile, int first, int last, float* memory) const {
+        for_each([&](const auto& patch, int index) {
+            for (int dx = first; dx < last; ++dx)
+                for (int x = 0; x < tile.x1 - tile.x0; ++x)
+                    share(memory, dx - first, index)[x] = 1.0f / pairs(tile.x0 + x, dx, patch.radius, size_.width);
+        });
+    }
+
+    /// Evaluates the inner distances of row y of the image; rows come one by one, from radius() above the tile to
+    /// radius() below it.
+    void add_row(const staged_tile& staged, rectangle tile, int first, int last, int dy, int y, float* memory) const {
+        for_leaders([&](const auto& patch, int index) {
+            const int pixels = tile.x1 - tile.x0 + 2 * radius_;
+            const bool masked = rule_ == border::clip && !covered(tile, first, last, dy, y);
+            const std::ptrdiff_t next = ring_size();
+            for (int x = 0; x < pixels; x += lanes::size) {
+                const float* p = staged.at(0, tile.x0 - radius_ + x, y);
+                const float* q = p + dy * staged.step.row;
+                float* to = ring(memory, 0, index, y) + x;
+                for (int i = 0; i < last - first; ++i)
+                    patch.inner(pixel_pair<lanes, Reads>(p, q + first + i, staged.step, first + i, dy))
+                        .store(to + i * next);
+                if (masked)  // a pair that does not exist adds nothing
+                    for (int i = 0; i < last - first; ++i)
+                        (lanes::load(to + i * next) * (lanes::load(p) * lanes::load(q + first + i)))
+                            .store(to + i * next);
+            }
+        });
+    }
+
+    /// Sums over the patches around row y, once all their rows are there; divides by the number of pairs that exist.
+    void sum_row(rectangle tile, int first, int last, int dy, int y, float* memory) const {
+        for_each([&](const auto& patch, int index) {
+            switch (patch.radius) {
+                case 1:
+                    return sum_row_of<1>(1, index, leader(patch, index), tile, last - first, dy, y, memory);
+                case 2:
+                    return sum_row_of<2>(2, index, leader(patch, index), tile, last - first, dy, y, memory);
+                case 3:
+                    return sum_row_of<3>(3, index, leader(patch, index), tile, last - first, dy, y, memory);
+                default:
+                    return sum_row_of<0>(patch.radius, index, leader(patch, index), tile, last - first, dy, y, memory);
+            }
+        });
     }
 
 private:
-    std::size_t result_floats() const { return std::size_t(tile_.height) * group_ * count * tile_.width; }
-    std::size_t column_floats() const { return std::size_t(tile_.height + 2 * radius_) * lanes::size; }
-    int sums_width() const {
-        return detail::ceil_div(tile_.width + 2 * radius_, lanes::size) * lanes::size + lanes::size;
+    /// Unrolled is the radius where it is one of the usual ones, else 0.
+    template <int Unrolled>
+    void sum_row_of(int radius, int index, int from, rectangle tile, int offsets, int dy, int y, float* memory) const {
+        const int pixels = tile.x1 - tile.x0;
+        const lanes rows(1.0f / pairs(y, dy, radius, size_.height));
+        const auto sum = [&](const auto& row) {
+            lanes s = detail::tree_sum<2 * Unrolled + 1>(row);
+            if constexpr (Unrolled == 0)
+                for (int k = 1; k <= 2 * radius; ++k) s = s + row(k);
+            return s;
+        };
+        for (int i = 0; i < offsets; ++i) {
+            float* const columns = memory + 2 * result_floats() + ring_floats();
+            const float* row[2 * Unrolled + 1];
+            for (int k = 0; k <= 2 * Unrolled; ++k) row[k] = ring(memory, i, from, y - radius + k);
+            for (int x = radius_ - radius; x < pixels + radius_ + radius; x += lanes::size)
+                sum([&](int k) {
+                    return lanes::load((k <= 2 * Unrolled ? row[k] : ring(memory, i, from, y - radius + k)) + x);
+                }).store(columns + x);
+            const float* const first_column = columns + radius_ - radius;
+            const float* const shares = share(memory, i, index);
+            float* const to = result(memory, i, index);
+            for (int x = 0; x < pixels; x += lanes::size) {
+                const lanes total = sum([&](int k) { return lanes::load(first_column + x + k); });
+                (total * (lanes::load(shares + x) * rows)).store(to + x);
+            }
+        }
     }
-    std::size_t sums_floats() const { return std::size_t(count) * tile_.height * sums_width(); }
-    std::size_t row_floats() const { return tile_.width; }
+
+    /// Room for a row of the tile with its patches, and for a last batch that sticks out.
+    int width() const { return detail::ceil_div(tile_.width + 2 * radius_ + lanes::size, lanes::size) * lanes::size; }
+    std::size_t result_floats() const { return std::size_t(group_) * count * width(); }
+    std::size_t ring_floats() const { return std::size_t(group_) * ring_size(); }
+    std::ptrdiff_t ring_size() const { return std::ptrdiff_t{count} * (2 * radius_ + 1) * width(); }
+
+    /// The distances of a row for the i-th offset of the group.
+    float* result(float* memory, int i, int index) const {
+        return memory + (std::ptrdiff_t{i} * count + index) * width();
+    }
+    /// What the sums of a column of pixels are divided by: one over the number of pairs along x.
+    float* share(float* memory, int i, int index) const { return result(memory + result_floats(), i, index); }
+    /// Row y of the inner distances of the i-th offset; the last 2 radius + 1 rows are kept.
+    float* ring(float* memory, int i, int index, int y) const {
+        const int rows = 2 * radius_ + 1;
+        const int place = (y % rows + rows) % rows;
+        return memory + 2 * result_floats() + i * ring_size() + (std::ptrdiff_t{index} * rows + place) * width();
+    }
 
     template <class Sweep>
     static auto patches_of(const Sweep& sweep) {
@@ -108,86 +192,30 @@ private:
                           sweep.weights);
     }
 
-    void prepare_offset(const staged_tile& staged, rectangle tile, int dx, int dy, int i, float* memory) const {
-        float* column = memory + result_floats();
-        float* sums = column + column_floats();
-        float* share = sums + sums_floats();
+    template <class F>
+    void for_each(const F& f) const {
         std::apply(
             [&](const auto&... patch) {
-                int index = 0;
-                (along_y(patch, index++, staged, tile, dx, dy, column, sums), ...);
-                index = 0;
-                (along_x(patch.radius, index++, tile, dx, dy, i, sums, share, memory), ...);
+                [[maybe_unused]] int index = 0;
+                (f(patch, index++), ...);
             },
             patches_);
     }
-
+    /// The first of the patches over each distance.
+    template <class F>
+    void for_leaders(const F& f) const {
+        for_each([&](const auto& patch, int index) {
+            if (leader(patch, index) == index) f(patch, index);
+        });
+    }
     /// Index of the first patch over the same distance as patch `index`.
     template <class P>
     int leader(const P& patch, int index) const {
-        int found = index, at = 0;
-        std::apply(
-            [&](const auto&... other) {
-                ((found = at < found && detail::same_distance(other.inner, patch.inner) ? at : found, ++at), ...);
-            },
-            patches_);
+        int found = index;
+        for_each([&](const auto& other, int i) {
+            if (i < found && detail::same_distance(other.inner, patch.inner)) found = i;
+        });
         return found;
-    }
-
-    /// For the first patch over a distance: evaluates the distance column by column, and sums it along y for every
-    /// patch over the same distance.
-    template <class P>
-    void along_y(const P& patch, int index, const staged_tile& staged, rectangle tile, int dx, int dy, float* column,
-                 float* sums) const {
-        if (leader(patch, index) != index) return;
-        const int height = tile.y1 - tile.y0, width = tile.x1 - tile.x0;
-        const bool all_covered = rule_ != border::clip || covered(tile, dx, dy);
-        for (int x = 0; x < width + 2 * radius_; x += lanes::size) {
-            const float* p = staged.at(0, tile.x0 + x - radius_, tile.y0 - radius_);
-            const float* q = p + dx + dy * staged.step.row;
-            for (int y = 0; y < height + 2 * radius_; ++y, p += staged.step.row, q += staged.step.row) {
-                const pixel_pair<lanes, Reads> pq(p, q, staged.step, dx, dy);
-                patch.inner(pq).store(column + y * lanes::size);
-            }
-            if (!all_covered) {
-                p = staged.at(0, tile.x0 + x - radius_, tile.y0 - radius_);
-                q = p + dx + dy * staged.step.row;
-                for (int y = 0; y < height + 2 * radius_; ++y, p += staged.step.row, q += staged.step.row)
-                    (lanes::load(column + y * lanes::size) * (lanes::load(p) * lanes::load(q)))
-                        .store(column + y * lanes::size);
-            }
-            int other_index = 0;
-            std::apply(
-                [&](const auto&... other) {
-                    ((detail::same_distance(other.inner, patch.inner)
-                          ? sum_column(other.radius, column, sums + other_index * tile_.height * sums_width() + x,
-                                       height)
-                          : void(),
-                      ++other_index),
-                     ...);
-                },
-                patches_);
-        }
-    }
-
-    void sum_column(int radius, const float* column, float* sums, int height) const {
-        const float* from = column + (radius_ - radius) * lanes::size;
-        for (int y = 0; y < height; ++y)
-            detail::sum_of(from + y * lanes::size, 2 * radius + 1, lanes::size).store(sums + y * sums_width());
-    }
-
-    /// Sums along x and divides by the number of pairs that exist.
-    void along_x(int radius, int index, rectangle tile, int dx, int dy, int i, const float* sums, float* share,
-                 float* memory) const {
-        const int width = tile.x1 - tile.x0, height = tile.y1 - tile.y0;
-        for (int x = 0; x < tile_.width; ++x) share[x] = 1.0f / pairs(tile.x0 + x, dx, radius, size_.width);
-        for (int y = 0; y < height; ++y) {
-            const lanes rows(1.0f / pairs(tile.y0 + y, dy, radius, size_.height));
-            const float* from = sums + (index * tile_.height + y) * sums_width() + radius_ - radius;
-            float* to = memory + ((std::ptrdiff_t{y} * group_ + i) * count + index) * tile_.width;
-            for (int x = 0; x < width; x += lanes::size)
-                (detail::sum_of(from + x, 2 * radius + 1, 1) * (lanes::load(share + x) * rows)).store(to + x);
-        }
     }
 
     /// How many of the pairs (p + n, p + offset + n), |n| <= radius, exist along one axis; at least 1.
@@ -198,11 +226,10 @@ private:
         return static_cast<float>(std::max(1, before + after + 1));
     }
 
-    /// Both ends of every pair of the tile and its patches are inside the image.
-    bool covered(rectangle tile, int dx, int dy) const {
-        const rectangle r = tile.grown(radius_);
-        return r.x0 + std::min(dx, 0) >= 0 && r.y0 + std::min(dy, 0) >= 0 && r.x1 + std::max(dx, 0) <= size_.width &&
-               r.y1 + std::max(dy, 0) <= size_.height;
+    /// Whether both ends of every pair that row y of the tile and its patches asks for are inside the image.
+    bool covered(rectangle tile, int first, int last, int dy, int y) const {
+        return std::min(y, y + dy) >= 0 && std::max(y, y + dy) < size_.height &&
+               tile.x0 - radius_ + std::min(first, 0) >= 0 && tile.x1 + radius_ + std::max(last - 1, 0) <= size_.width;
     }
 
     std::tuple<Patch...> patches_;

@@ -11,12 +11,14 @@ namespace winnow::executor {
 
 /// The schedule, for one tile in the cache:
 ///     for each row of offsets, a few offsets at a time
-///         work out the patch distances of these offsets for the whole tile           (see patches.hpp)
-///         for each batch of pixels: weights of these offsets, then all sums of w and of w u
-/// What depends on p alone is computed once for all offsets of a group, and each sum is kept in a register over them.
+///         for each row of pixels
+///             work out the patch distances at these offsets                                      (patches.hpp)
+///             for each batch of pixels: the weights at these offsets, then all sums of w and of w u
+/// What depends on p alone is computed once for all offsets of a group, each sum is kept in a register over them, and a
+/// row of pixels with its neighbours stays in the first cache.
 /// Each pixel meets its neighbours in the same order whatever the tile: the bits do not depend on tiles or threads.
 struct offset_major {
-    extent largest_tile{80, 32};
+    extent largest_tile{128, 64};
 
     /// Offsets per group; each takes a register for its weight.
     static constexpr int group = 8;
@@ -42,6 +44,7 @@ struct offset_major {
 
         const prepared_patches_of<Sweep> ahead(sweep, buffers.size, memory.tile, group);
         const auto weights = ahead.rewritten(sweep.weights);
+        const int values = static_cast<int>(buffers.values.size());
         const int reach = window_reach(sweep, buffers.size);
         for (int dy = -reach; dy <= reach; ++dy) {
             const int half = window_half_width(sweep, buffers.size, dy);
@@ -49,8 +52,14 @@ struct offset_major {
             for (int g = 0; g < groups; ++g) {
                 const int first = -half + (2 * half + 1) * g / groups;
                 const int last = -half + (2 * half + 1) * (g + 1) / groups;
-                ahead.prepare(staged, tile, first, last, dy, memory.patches);
-                accumulate(weights, buffers, memory, staged, tile, first, last, dy, ahead);
+                const int above = ahead.radius();
+                ahead.start(tile, first, last, memory.patches);
+                for (int y = tile.y0 - above; y < tile.y1 + above; ++y) {
+                    ahead.add_row(staged, tile, first, last, dy, y, memory.patches);
+                    if (y < tile.y0 + above) continue;
+                    ahead.sum_row(tile, first, last, dy, y - above, memory.patches);
+                    accumulate(weights, values, memory, staged, tile, y - above, first, last, dy, ahead);
+                }
             }
         }
         finish(sweep, buffers, memory, staged, tile);
@@ -95,35 +104,47 @@ private:
         return m;
     }
 
-    /// Adds the neighbours at offsets first .. last - 1 of row dy to the sums of every pixel of the tile.
+    /// Adds the neighbours at offsets (first .. last - 1, dy) to the sums of row y.
     template <class Weights, class Ahead>
-    static void accumulate(const Weights& weights, const sweep_buffers& buffers, const parts& memory,
-                           const staged_tile& staged, rectangle tile, int first, int last, int dy, const Ahead& ahead) {
+    static void accumulate(const Weights& weights, int values, const parts& memory, const staged_tile& staged,
+                           rectangle tile, int y, int first, int last, int dy, const Ahead& ahead) {
         using pair = pixel_pair<lanes, typename Ahead::reads>;
-        const int values = static_cast<int>(buffers.values.size()), count = last - first;
-        const int columns = detail::ceil_div(tile.x1 - tile.x0, lanes::size) * lanes::size;
-        for (int y = 0; y < tile.y1 - tile.y0; ++y)
-            for (int x = 0; x < columns; x += lanes::size) {
-                const float* p = staged.at(0, tile.x0 + x, tile.y0 + y);
-                const float* q = p + dy * staged.step.row + first;
-                float* sum = memory.sums + y * memory.tile.width + x;
-                const std::ptrdiff_t next = memory.tile.width * memory.tile.height;
-                const auto add = [&](const auto& weight) {
-                    lanes w[group];
-                    for (int i = 0; i < count; ++i)
-                        w[i] = weight(pair(p, q + i, staged.step, first + i, dy, ahead.at(memory.patches, i, x, y)));
-                    const auto add_plane = [&](const float* u) {
-                        lanes s = lanes::load(sum);
-                        for (int i = 0; i < count; ++i) s = lanes::fma(w[i], lanes::load(u + i), s);
-                        s.store(sum);
-                        sum += next;
-                    };
-                    add_plane(q);  // the coverage: the sum of the weights of the neighbours that exist
-                    const float* u = q + (1 + Ahead::reads::count) * staged.step.plane;
-                    for (int v = 0; v < values; ++v, u += staged.step.plane) add_plane(u);
-                };
-                std::apply([&](const auto&... weight) { (add(weight), ...); }, weights);
-            }
+        for (int x = 0; x < tile.x1 - tile.x0; x += lanes::size) {
+            const float* p = staged.at(0, tile.x0 + x, y);
+            const float* q = p + dy * staged.step.row + first;
+            float* sum = memory.sums + (y - tile.y0) * memory.tile.width + x;
+            const auto add = [&](const auto& weight) {
+                lanes w[group];
+                for (int i = 0; i < last - first; ++i)
+                    w[i] = weight(pair(p, q + i, staged.step, first + i, dy, ahead.at(memory.patches, i, x)));
+                sum = add_neighbours(w, last - first, q, Ahead::reads::count, values, memory, sum);
+            };
+            std::apply([&](const auto&... weight) { (add(weight), ...); }, weights);
+        }
+    }
+
+    /// Adds count weights to the sum of weights, and the weighted values to theirs; returns where the next sums lie.
+    static float* add_neighbours(const lanes* w, int count, const float* q, int guides, int values, const parts& memory,
+                                 float* sum) {
+        float* end = sum;
+        [&]<int... Less>(std::integer_sequence<int, Less...>) {
+            ((count == Less + 1 ? void(end = add_exactly<Less + 1>(w, q, guides, values, memory, sum)) : void()), ...);
+        }
+        (std::make_integer_sequence<int, group>{});
+        return end;
+    }
+    template <int Count>
+    static float* add_exactly(const lanes* w, const float* q, int guides, int values, const parts& memory, float* sum) {
+        lanes weight[Count];  // a copy that no store can alias: it stays in registers
+        for (int i = 0; i < Count; ++i) weight[i] = w[i];
+        const std::ptrdiff_t next = std::ptrdiff_t{memory.tile.width} * memory.tile.height, plane = memory.step.plane;
+        const float* u = q;  // the coverage: only neighbours that exist count
+        for (int v = -1; v < values; ++v, sum += next, u = q + (1 + guides + v) * plane) {
+            lanes s = lanes::load(sum);
+            for (int i = 0; i < Count; ++i) s = lanes::fma(weight[i], lanes::load(u + i), s);
+            s.store(sum);
+        }
+        return sum;
     }
 
     template <class Sweep>
@@ -149,7 +170,7 @@ private:
 /// One thread, all its lanes.
 struct simd {
     using role = role::executor;
-    extent tile{80, 32};  ///< pixels worked on at a time: a matter of cache, never of results
+    extent tile{128, 64};  ///< pixels worked on at a time: a matter of cache, never of results
 
     offset_major kernel() const { return {tile}; }
     int workers() const { return 1; }

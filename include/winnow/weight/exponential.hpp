@@ -15,7 +15,8 @@ struct exponential {
 
     template <class Real, class Planes>
     WINNOW_HD Real exponent(const pixel_pair<Real, Planes>& pq) const {
-        return math::max(distance(pq), Real(0));
+        // In this order a NaN stays one, and exp_neg gives it no weight.
+        return math::max(Real(0), distance(pq));
     }
     template <class Real, class Planes>
     WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {

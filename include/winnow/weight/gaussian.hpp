@@ -20,7 +20,7 @@ struct gaussian {
     template <class Real, class Planes>
     WINNOW_HD Real exponent(const pixel_pair<Real, Planes>& pq) const {
         const float width = 2 * sigma * sigma;
-        return math::max(distance(pq), Real(0)) * Real(1 / (width > 1e-30f ? width : 1e-30f));
+        return math::max(Real(0), distance(pq)) * math::reciprocal(Real(width > 1e-30f ? width : 1e-30f));
     }
     template <class Real, class Planes>
     WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
