@@ -6,6 +6,7 @@
 #include <winnow/distance/squared_difference.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 using winnow::distance::max_of, winnow::distance::squared_difference, winnow::distance::sum_of;
 
 // Three fold from the left.

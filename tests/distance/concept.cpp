@@ -5,6 +5,7 @@
 #include <support/policies.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 static_assert(!distance_policy<weight::gaussian<distance::spatial>>);  // a weight is no distance
 static_assert(!distance_policy<albedo_t>);                             // nor is a guide

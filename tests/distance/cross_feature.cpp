@@ -4,6 +4,7 @@
 #include <winnow/distance/cross_feature.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 namespace {
 template <class G>

@@ -4,6 +4,7 @@
 #include <winnow/distance/noise_normalized.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 namespace {
 neighbourhood<planes<color_t, variance_of<color_t>>> two_pixels(const float (&p)[3], const float (&q)[3],

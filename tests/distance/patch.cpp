@@ -5,6 +5,7 @@
 #include <winnow/distance/squared_difference.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 namespace {
 /// An image of 3x3 depths, (x + 1)^2 (y + 1), amid pixels that do not exist but hold a number.

@@ -4,6 +4,7 @@
 #include <winnow/distance/spatial.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 TEST_CASE("spatial is the squared length of the offset") {
     neighbourhood<planes<>> around({9, 9});

@@ -4,6 +4,7 @@
 #include <winnow/distance/squared_difference.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 TEST_CASE("l2 sums the squared differences over the channels") {
     neighbourhood<planes<depth_t, albedo_t>> around({3, 2});

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <support/catch.hpp>
-#include <support/pattern.hpp>
 #include <support/policies.hpp>
+#include <support/scattered.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 static_assert(!estimator_policy<int> && !estimator_policy<window::square>);
 

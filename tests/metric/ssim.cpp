@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <support/catch.hpp>
-#include <support/pattern.hpp>
+#include <support/scattered.hpp>
 #include <winnow/metric/ssim.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 namespace {
 

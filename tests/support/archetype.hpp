@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace winnow {
+namespace winnow::test {
 
 class archetype {
 public:
@@ -78,4 +78,4 @@ private:
     double value_, bound_;
 };
 
-}  // namespace winnow
+}  // namespace winnow::test

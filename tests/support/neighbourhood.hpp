@@ -2,11 +2,11 @@
 #pragma once
 /// \file
 /// Staged planes that a test fills by hand: what a policy looks at, without an executor.
-#include <support/pattern.hpp>
+#include <support/scattered.hpp>
 #include <vector>
 #include <winnow/frame/pixel_pair.hpp>
 
-namespace winnow {
+namespace winnow::test {
 
 /// How a neighbourhood is filled: every value lies in (0, its scale].
 struct scales {
@@ -72,4 +72,4 @@ void for_pairs(const Policy&, const F& f) {
     }
 }
 
-}  // namespace winnow
+}  // namespace winnow::test

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <winnow/winnow.hpp>
 
-namespace winnow {
+namespace winnow::test {
 
 using distances = std::tuple<distance::spatial,                                                                      //
                              distance::squared_difference<albedo_t>,                                                 //
@@ -54,4 +54,4 @@ inline constexpr windows window_examples{{.radius = 3}, {.radius = 4}};
 using estimators = std::tuple<estimator::none, estimator::standard_error>;
 inline constexpr estimators estimator_examples{};
 
-}  // namespace winnow
+}  // namespace winnow::test

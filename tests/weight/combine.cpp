@@ -9,6 +9,7 @@
 #include <winnow/weight/gaussian.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 namespace {
 const auto of_albedo = exponential(l2(albedo));

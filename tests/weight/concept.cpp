@@ -5,6 +5,7 @@
 #include <support/policies.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 static_assert(!weight_policy<distance::spatial>);  // a distance is no weight
 static_assert(!weight_policy<window::square>);

@@ -5,6 +5,7 @@
 #include <winnow/weight/cutoff.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 TEST_CASE("cutoff is 1 up to its limit, and 0 beyond") {
     neighbourhood<planes<>> around({9, 9});

@@ -5,6 +5,7 @@
 #include <winnow/weight/exponential.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 TEST_CASE("exponential is exp(-d), and never quite 0") {
     neighbourhood<planes<>> around({9, 9});

@@ -5,6 +5,7 @@
 #include <winnow/weight/gaussian.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 TEST_CASE("gaussian is exp(-d / (2 sigma^2)) of a squared distance") {
     neighbourhood<planes<>> around({9, 9});

@@ -4,6 +4,7 @@
 #include <support/policies.hpp>
 
 using namespace winnow;
+using namespace winnow::test;
 
 static_assert(!window_policy<int> && !window_policy<distance::spatial>);
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <winnow/image/image.hpp>
 
-namespace winnow {
+namespace winnow::test {
 
 /// A value in (0, 1] for each number, without visible order (a multiplicative hash); different numbers below 2^24 give
 /// different values.
@@ -23,4 +23,4 @@ inline image<> pattern(extent size, int channels = 1, std::uint32_t seed = 0) {
     return made;
 }
 
-}  // namespace winnow
+}  // namespace winnow::test
