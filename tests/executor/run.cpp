@@ -28,6 +28,7 @@ TEST_CASE("a crop with its halo gives the bits of the whole image, at every corn
     for (const executor_kind kind : {executor_kind::simd, executor_kind::serial_double})
         for (const border rule : all_borders)
             for (const any_filter& f : all_filters({.radius = 2, .patch_radius = 1, .border = rule})) {
+                if (kind == executor_kind::serial_double && f.halo != 4) continue;  // a few suffice
                 const auto whole = f.images(in.layers(), size, {kind});
                 for (const rectangle region : regions) {
                     const rectangle crop = inside_of(region.grown(f.halo), size);
@@ -55,11 +56,11 @@ TEST_CASE("the halo is no larger than need be: a pixel just within it matters") 
 }
 
 TEST_CASE("the plan tells the halo, the tiles, the workers and the bytes that the run takes") {
-    const extent size{67, 45};
+    const extent size{67, 17};
     const buffers in = make_buffers(size);
     for (const executor_kind kind :
          {executor_kind::serial_double, executor_kind::serial, executor_kind::simd, executor_kind::pool})
-        for (const any_filter& f : all_filters({.radius = 3, .patch_radius = 2})) {
+        for (const any_filter& f : all_filters({.radius = 2, .patch_radius = 2})) {
             if (!f.plan) continue;
             const how h{.kind = kind, .threads = 3, .tile = {32, 8}};
             CAPTURE(f.name, to_string(h));
@@ -103,7 +104,7 @@ TEST_CASE("progress ends at its total") {
 }
 
 namespace {
-/// Cancels the run, as another thread would, when it has come to the first pixels of the last row of tiles but one.
+/// Cancels the run in its first tile, as another thread would.
 struct cancel_when_asked {
     using role = role::distance;
     using reads = planes<color_t>;

@@ -5,6 +5,7 @@
 /// buffers are like (half, interleaved, bad pixels, a border nearby), a policy meets only such planes.
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <winnow/executor/sweep.hpp>
 #include <winnow/frame/pixel_pair.hpp>
 
@@ -23,7 +24,20 @@ struct staged_tile {
 
 namespace detail {
 
-inline void stage_plane(const source& from, const staged_tile& tile, int plane, border rule, bool non_negative) {
+/// What a plane may hold; values beyond are cut.
+struct value_range {
+    float lowest = -std::numeric_limits<float>::max();
+    float highest = std::numeric_limits<float>::max();
+
+    float operator()(float value) const { return std::clamp(value, lowest, highest); }
+};
+
+/// Renderers write 1e30 for the depth of the sky.  Guides and variances are cut so that squared differences and sums of
+/// variances stay finite: then no distance is NaN.
+template <class G>
+inline constexpr value_range range_of = is_variance<G> ? value_range{0.0f, 1e30f} : value_range{-1e15f, 1e15f};
+
+inline void stage_plane(const source& from, const staged_tile& tile, int plane, border rule, value_range range) {
     const int width = from.size.width, height = from.size.height;
     const int inside0 = std::clamp(0, tile.region.x0, tile.region.x1);
     const int inside1 = std::clamp(width, inside0, tile.region.x1);
@@ -46,13 +60,10 @@ inline void stage_plane(const source& from, const staged_tile& tile, int plane, 
         if (!clean)
             for (int x = inside0; x < inside1; ++x)
                 if (!is_finite(row[x])) row[x] = contained(from, x, from_y);
-        if (non_negative)
-            for (int x = inside0; x < inside1; ++x) row[x] = std::max(row[x], 0.0f);
+        for (int x = inside0; x < inside1; ++x) row[x] = range(row[x]);
         const auto outside = [&](int x) {
             const int from_x = resolve(rule, x, width);
-            if (from_x < 0) return 0.0f;
-            const float value = contained(from, from_x, from_y);
-            return non_negative ? std::max(value, 0.0f) : value;
+            return from_x < 0 ? 0.0f : range(contained(from, from_x, from_y));
         };
         for (int x = tile.region.x0; x < inside0; ++x) row[x] = outside(x);
         for (int x = inside1; x < tile.region.x1; ++x) row[x] = outside(x);
@@ -110,7 +121,7 @@ void stage(const Sweep& sweep, const sweep_buffers& buffers, const staged_tile& 
         for (int c = 0; c < G::channels; ++c) {
             const int slot = slot_of<G>(reads{}) + c;
             if constexpr (!detail::is_gradient<G>)
-                detail::stage_plane(buffers.guides[slot], tile, 1 + slot, sweep.rule, detail::is_variance<G>);
+                detail::stage_plane(buffers.guides[slot], tile, 1 + slot, sweep.rule, detail::range_of<G>);
         }
     });
     reads::for_each([&]<class G>(G) {
@@ -121,7 +132,7 @@ void stage(const Sweep& sweep, const sweep_buffers& buffers, const staged_tile& 
                                        1 + slot_of<G>(reads{}) + c);
     });
     for (int v = 0; v < static_cast<int>(buffers.values.size()); ++v)
-        detail::stage_plane(buffers.values[v], tile, 1 + reads::count + v, sweep.rule, false);
+        detail::stage_plane(buffers.values[v], tile, 1 + reads::count + v, sweep.rule, {});
 }
 
 }  // namespace winnow
