@@ -14,7 +14,7 @@ namespace winnow::executor {
 template <class P>
 concept thread_pool = requires(P p) {
     { p.size() } -> std::convertible_to<int>;
-    p.run(1, [](int) {});
+    p.run(1, detail::any_work{});
 };
 
 /// Runs the tiles of another CPU executor as tasks of a pool:  executor::pool{my_pool, executor::simd{}}.

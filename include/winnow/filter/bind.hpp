@@ -6,6 +6,7 @@
 #include <span>
 #include <winnow/core/error.hpp>
 #include <winnow/executor/run.hpp>
+#include <winnow/filter/frame_with.hpp>
 #include <winnow/frame/frame.hpp>
 #include <winnow/frame/output.hpp>
 
@@ -56,16 +57,8 @@ inline bool overlap(const source& a, const source& b) {
     return false;
 }
 
-/// What the frame filters: its colour, unless it says otherwise.
-template <class Frame>
-constexpr auto filtered_guide(const Frame& in) {
-    if constexpr (requires { in.filtered(); }) return in.filtered();
-    else return color;
-}
-
 template <class Frame, class G>
 source find_or_fail(const Frame& in, G) {
-    static_assert(Frame::has(G{}), "the filter reads a buffer that the frame does not have");
     const source layer = in.find(G{});
     if (!layer) fail("the filter needs " + G::name() + ", which the frame does not have");
     return layer;

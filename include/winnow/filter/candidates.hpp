@@ -23,12 +23,12 @@ public:
             fail("candidates: the filters differ in window or border");
     }
 
-    template <class Frame, executor_policy Executor = executor::serial<>>
+    template <frame_to_filter<reads> Frame, executor_policy Executor = executor::serial<>>
     void operator()(const Frame& in, const std::array<output, count>& out, const Executor& executor = {}) const {
         workspace memory;
         (*this)(in, out, executor, memory);
     }
-    template <class Frame, executor_policy Executor>
+    template <frame_to_filter<reads> Frame, executor_policy Executor>
     void operator()(const Frame& in, const std::array<output, count>& out, const Executor& executor,
                     workspace& memory) const {
         detail::run_sweep(sweep_, in, std::span<const output>(out), executor, memory);

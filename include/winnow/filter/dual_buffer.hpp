@@ -7,20 +7,33 @@
 
 namespace winnow {
 
+namespace detail {
+/// What a filter reads when Half<color> stands for the colour.
+template <template <class> class Half, class... G>
+constexpr auto read_from(planes<G...>) {
+    return planes<decltype(crossed_frame<named_layers, Half, Half>::substitute(G{}))...>{};
+}
+}  // namespace detail
+
 /// Reads first_half(color), second_half(color) and their variances (each that of the half, not of the mean of both).
 /// The result is the mean of the two filtered halves.  A further layer, which has no halves, gets the mean of the two
 /// filterings.
 template <class Filter>
 struct dual_buffer {
+    /// Both halves, and what the filter reads, with each half for the colour.
+    using reads =
+        joined<planes<half_a<color_t>, half_b<color_t>>, decltype(detail::read_from<half_a>(typename Filter::reads{})),
+               decltype(detail::read_from<half_b>(typename Filter::reads{}))>;
+
     Filter filter;
 
-    template <class Frame, executor_policy Executor = executor::serial<>>
+    template <frame_with<reads> Frame, executor_policy Executor = executor::serial<>>
     void operator()(const Frame& in, const output& out, const Executor& executor = {}) const {
         workspace memory;
         (*this)(in, out, executor, memory);
     }
 
-    template <class Frame, executor_policy Executor>
+    template <frame_with<reads> Frame, executor_policy Executor>
     void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory) const {
         const source a = detail::find_or_fail(in, first_half(color));
         detail::check_layer(second_half(color), detail::find_or_fail(in, second_half(color)), a.channels, a.size,

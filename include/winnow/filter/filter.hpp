@@ -23,13 +23,13 @@ struct filter {
 
     /// Filters the colour of `in` into `out`.  Throws invalid_input before any work if buffers or numbers do not fit.
     /// Non-finite pixels are replaced by the mean of their finite neighbours (see `diagnose`, which counts them).
-    template <class Frame, executor_policy Executor = executor::serial<>>
+    template <frame_to_filter<typename Weight::reads> Frame, executor_policy Executor = executor::serial<>>
     void operator()(const Frame& in, const output& out, const Executor& executor = {}) const {
         workspace memory;
         (*this)(in, out, executor, memory);
     }
     /// The same with the caller's workspace: from the second run of the same size on, nothing is allocated.
-    template <class Frame, executor_policy Executor>
+    template <frame_to_filter<typename Weight::reads> Frame, executor_policy Executor>
     void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory) const {
         detail::run_sweep(as_sweep(), in, std::span(&out, 1), executor, memory);
     }
@@ -51,14 +51,8 @@ struct filter {
     bool operator==(const filter&) const = default;
 };
 
-template <class W>
-filter(W) -> filter<W>;
-template <class W, class Window>
-filter(W, Window) -> filter<W, Window>;
-template <class W, class Window, class E>
-filter(W, Window, E) -> filter<W, Window, E>;
-template <class W, class Window, class E>
-filter(W, Window, E, border) -> filter<W, Window, E>;
+template <class W, class Window = window::square, class E = estimator::none>
+filter(W, Window = {}, E = {}, border = border::clip) -> filter<W, Window, E>;
 
 /// How far from a pixel its result can depend on the input, in pixels.
 template <class W, class Window, class E>

@@ -35,11 +35,11 @@ public:
     /// Channel c of buffer G at p, and at q.
     template <class G>
     WINNOW_HD Real p(G, int c = 0) const {
-        return load(p_ + plane<G>(c) * step_.plane);
+        return load(p_ + (plane<G> + c) * step_.plane);
     }
     template <class G>
     WINNOW_HD Real q(G, int c = 0) const {
-        return load(q_ + plane<G>(c) * step_.plane);
+        return load(q_ + (plane<G> + c) * step_.plane);
     }
 
     /// The offset q - p, in pixels.
@@ -60,11 +60,14 @@ public:
 
 private:
     template <class G>
-    static constexpr std::ptrdiff_t plane(int c) {
+    static constexpr std::ptrdiff_t first_plane() {
         static_assert(contains<G, Planes>,
                       "a policy must name every buffer that it looks at in `using reads = planes<...>`");
-        return 1 + slot_of<G>(Planes{}) + c;
+        return 1 + slot_of<G>(Planes{});
     }
+    // A constant, so that device code does not call what the host computes.
+    template <class G>
+    static constexpr std::ptrdiff_t plane = first_plane<G>();
 
     WINNOW_HD static Real load(const float* from) {
         if constexpr (std::is_floating_point_v<Real>) return Real(*from);

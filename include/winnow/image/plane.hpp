@@ -2,6 +2,7 @@
 #pragma once
 /// \file
 /// One channel of somebody's image with its type erased: what executors read from and write to.
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
