@@ -12,8 +12,12 @@ namespace winnow {
 
 /// What is computed is in the type and its numbers; who runs it is an argument of the call.
 ///     filter{gaussian(spatial, 3) * gaussian(l2(albedo), 0.1f), window::square{.radius = 7}}
-template <weight_policy Weight, window_policy Window = window::square, estimator_policy Estimator = estimator::none>
+template <class Weight, class Window = window::square, class Estimator = estimator::none>
 struct filter {
+    // Not in the line above: clang 14 does not give the reason for a constraint there.
+    static_assert(weight_policy<Weight>);
+    static_assert(window_policy<Window>);
+    static_assert(estimator_policy<Estimator>);
     using reads = typename Weight::reads;
 
     Weight weight;
@@ -36,12 +40,12 @@ struct filter {
 
     /// The same filter with another estimator, window or border.
     template <estimator_policy E>
-    constexpr filter<Weight, Window, E> with(E e) const {
-        return {weight, window, e, border};
+    constexpr auto with(E e) const {
+        return filter<Weight, Window, E>{weight, window, e, border};
     }
     template <window_policy W>
-    constexpr filter<Weight, W, Estimator> with(W w) const {
-        return {weight, w, estimator, border};
+    constexpr auto with(W w) const {
+        return filter<Weight, W, Estimator>{weight, w, estimator, border};
     }
     constexpr filter with(winnow::border b) const { return {weight, window, estimator, b}; }
 
@@ -51,7 +55,7 @@ struct filter {
     bool operator==(const filter&) const = default;
 };
 
-template <class W, class Window = window::square, class E = estimator::none>
+template <weight_policy W, window_policy Window = window::square, estimator_policy E = estimator::none>
 filter(W, Window = {}, E = {}, border = border::clip) -> filter<W, Window, E>;
 
 /// How far from a pixel its result can depend on the input, in pixels.
