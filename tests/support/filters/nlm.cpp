@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <support/erase.hpp>
 #include <support/filters.hpp>
+#include <support/papers.hpp>
 #include <winnow/estimator/standard_error.hpp>
 #include <winnow/paper/nlm_2012.hpp>
 
 namespace winnow::test {
 
+any_filter erased(const paper::nlm& f) { return erase("nlm", f); }
+any_filter erased(const paper::nlm_2012& f) { return erase("nlm dual buffer", f); }
+
 any_filter nlm(filter_numbers n) {
-    return erase("nlm", paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius}).with(n.border));
+    return erased(paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius}).with(n.border));
 }
 
 any_filter nlm_with_error(filter_numbers n) {
@@ -17,8 +21,7 @@ any_filter nlm_with_error(filter_numbers n) {
 }
 
 any_filter nlm_dual_buffer(filter_numbers n) {
-    return erase("nlm dual buffer",
-                 dual_buffer{paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius}).with(n.border)});
+    return erased(dual_buffer{paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius}).with(n.border)});
 }
 
 }  // namespace winnow::test

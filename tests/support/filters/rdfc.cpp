@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <support/erase.hpp>
 #include <support/filters.hpp>
+#include <support/papers.hpp>
 #include <winnow/paper/rdfc_2013.hpp>
 
 namespace winnow::test {
@@ -19,7 +20,9 @@ auto third(filter_numbers n) {
 }
 }  // namespace
 
-any_filter rdfc_candidate(filter_numbers n) { return erase("rdfc candidate", first(n)); }
+any_filter erased(const paper::rdfc_candidate& f) { return erase("rdfc candidate", f); }
+
+any_filter rdfc_candidate(filter_numbers n) { return erased(first(n)); }
 
 any_filter three_candidates(filter_numbers n) {
     return erase("three candidates", candidates{first(n), second(n), third(n)});

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Bad input: one message, before any work, that names the buffer and the sizes.
+#include <string>
+#include <vector>
+#include <winnow/filter/bind.hpp>
+#include "support/catch.hpp"
+#include "support/filters.hpp"
+
+using namespace winnow;
+using namespace winnow::test;
+
+namespace {
+
+constexpr extent size{12, 8};
+
+/// What f complains about; empty if it does not.
+template <class F>
+std::string complaint(const F& f) {
+    try {
+        f();
+    } catch (const invalid_input& e) {
+        return e.what();
+    }
+    return "";
+}
+
+std::string complaint(const any_filter& f, const named_layers& in, const output& out) {
+    return complaint([&] { f(in, out, {executor_kind::simd}); });
+}
+
+bool contains_all(const std::string& text, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts)
+        if (text.find(part) == std::string::npos) return false;
+    return !text.empty();
+}
+
+struct fixture {
+    buffers in = make_buffers(size);
+    named_layers layers = in.layers();
+    image<> result = fill(size, 3, [](int, int, int) { return -7.0f; });
+    image<> other{size, 3};
+
+    bool untouched() const {
+        return other_bits(result, fill(size, 3, [](int, int, int) { return -7.0f; })) == "";
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(fixture, "a missing buffer is named") {
+    named_layers some;
+    some.bind("color", in.color.view());
+    some.bind("albedo", in.albedo.view());
+    CHECK(contains_all(complaint(joint_bilateral(), some, result), {"needs normal"}));
+    CHECK(contains_all(complaint(nlm(), some, result), {"needs color.variance"}));
+    CHECK(contains_all(complaint(nlm_dual_buffer(), some, result), {"needs color.halfA"}));
+    CHECK(contains_all(complaint(nlm(), named_layers{}, result), {"needs color"}));
+    CHECK(untouched());
+    CHECK(complaint(bilateral(), some, result) == "");
+}
+
+TEST_CASE_METHOD(fixture, "buffers that differ in size are named with both sizes") {
+    const image<> small({11, 8}, 3), tall({12, 9}, 3), one({12, 9}, 1);
+    layers.bind("albedo", small.view());
+    CHECK(contains_all(complaint(joint_bilateral(), layers, result), {"albedo is 11x8", "color is 12x8"}));
+    layers.bind("color.variance", tall.view());
+    CHECK(contains_all(complaint(nlm(), layers, result), {"color.variance is 12x9", "color is 12x8"}));
+    layers.bind("color.halfB", tall.view());
+    CHECK(contains_all(complaint(nlm_dual_buffer(), layers, result), {"color.halfB is 12x9", "color.halfA is 12x8"}));
+    CHECK(contains_all(complaint(bilateral(), layers, output{result}.halves(other.view(), {})),
+                       {"color.halfB is 12x9", "color is 12x8"}));
+    CHECK(
+        contains_all(complaint(bilateral(), layers, output{result}.layer(one.view(), {})), {"12x9", "color is 12x8"}));
+    CHECK(untouched());
+}
+
+TEST_CASE_METHOD(fixture, "buffers with other channels than their guide are named with both numbers") {
+    layers.bind("albedo", in.depth.view());
+    CHECK(contains_all(complaint(joint_bilateral(), layers, result), {"albedo has 1 channels", "needs 3"}));
+    layers.bind("color", in.depth.view());
+    CHECK(contains_all(complaint(bilateral(), layers, result), {"color has 1 channels", "needs 3"}));
+    CHECK(untouched());
+}
+
+TEST_CASE_METHOD(fixture, "an empty image is refused") {
+    for (const extent none : {extent{0, 0}, extent{0, 8}, extent{12, 0}}) {
+        const buffers empty = make_buffers(none);
+        // An empty vector has no memory; a renderer's empty buffer may have.
+        float somewhere = 0;
+        named_layers all;
+        buffers::each(empty, [&](const char* name, const image<>& i) {
+            all.bind(name, source(planar(&somewhere, none, i.channels())));
+        });
+        const output out{planar(&somewhere, none, 3)};
+        const std::string sizes = to_string(none);
+        CHECK(contains_all(complaint(bilateral(), all, out), {"color is " + sizes}));
+        CHECK(contains_all(complaint(nlm_dual_buffer(), all, out), {"color.half", sizes}));
+    }
+}
+
+TEST_CASE_METHOD(fixture, "results of another size or number of channels are refused by name") {
+    image<> small({11, 8}, 3), grey(size, 1);
+    for (const any_filter& f : {nlm_with_error(), nlm_dual_buffer()}) {
+        INFO(f.name);
+        const auto refused = [&](const output& out, const std::string& name) {
+            return contains_all(complaint(f, layers, out), {name, "12x8"}) ||
+                   contains_all(complaint(f, layers, out), {name, "1 channels", "needs 3"});
+        };
+        CHECK(refused(output{small}, "the output is 11x8"));
+        CHECK(refused(output{grey}, "the output has"));
+        CHECK(refused(output{result}.halves(small.view(), other.view()), "first half is 11x8"));
+        CHECK(refused(output{result}.halves(other.view(), small.view()), "second half is 11x8"));
+        CHECK(refused(output{result}.halves(other.view(), grey.view()), "second half has"));
+        CHECK(refused(output{result}.error(small.view()), "the error is 11x8"));
+        CHECK(refused(output{result}.layer(in.albedo.view(), small.view()), "further layer is 11x8"));
+        CHECK(refused(output{result}.layer(in.albedo.view(), grey.view()), "further layer has"));
+        CHECK(untouched());
+    }
+}
+
+TEST_CASE_METHOD(fixture, "an error image without an estimator is refused, and the way out told") {
+    CHECK(contains_all(complaint(nlm(), layers, output{result}.error(other.view())),
+                       {"no estimator", "filter.with(estimator::standard_error{})"}));
+    CHECK(untouched());
+}
+
+TEST_CASE_METHOD(fixture, "halves without half buffers are refused, and the way out told") {
+    named_layers without;
+    for (const char* name : {"color", "color.variance"}) without.bind(name, layers.find(std::string(name)));
+    CHECK(contains_all(complaint(nlm(), without, output{result}.halves(other.view(), {})),
+                       {"no color.halfA", "render the frame twice"}));
+    CHECK(contains_all(complaint(nlm_with_error(), without, output{result}.error(other.view())), {"no color.halfA"}));
+    without.bind("color.halfA", in.half_a.view());
+    CHECK(contains_all(complaint(nlm(), without, output{result}.halves(other.view(), {})), {"no color.halfB"}));
+    CHECK(untouched());
+    CHECK(complaint(nlm_with_error(), without, result) == "");  // nobody asks for the error
+}
+
+TEST_CASE_METHOD(fixture, "a result over any input of the filter is refused") {
+    const auto refused = [&](const output& out) {
+        return contains_all(complaint(rdfc_candidate(), layers, out), {"overlaps the input"});
+    };
+    CHECK(refused(in.color.view()));
+    CHECK(refused(in.color_variance.view()));
+    CHECK(refused(in.normal.view()));
+    CHECK(refused(output{result}.halves(in.color.view(), {})));
+    CHECK(refused(output{result}.halves(in.half_b.view(), {})));
+    CHECK(refused(output{result}.layer(other.view(), other.view())));
+    CHECK(refused(output{result}.layer(other.view(), in.albedo.view())));
+    CHECK(untouched());
+    CHECK(complaint(bilateral(), layers, in.normal.view()) == "");  // it does not read normals
+}
+
+TEST_CASE("a result that meets an input in part is refused, one beside it is not") {
+    std::vector<float> memory(4 * 3 * 12 * 8);
+    const image_view<float> first = planar(memory.data(), size, 3);
+    named_layers in;
+    in.bind("color", first);
+    const std::ptrdiff_t values = 12 * 8;
+    const auto at = [&](std::ptrdiff_t offset) { return output{planar(memory.data() + offset, size, 3)}; };
+    CHECK(contains_all(complaint(bilateral(), in, at(3 * values - 1)), {"overlaps"}));
+    CHECK(contains_all(complaint(bilateral(), in, at(12)), {"overlaps"}));
+    CHECK(complaint(bilateral(), in, at(3 * values)) == "");
+}
+
+TEST_CASE("a result may lie in the pixels of the renderer's own struct, beside the input") {
+    struct pixel {
+        float color[3];
+        half alpha, padding;
+        float result[3];
+    };
+    const buffers in = make_buffers(size);
+    std::vector<pixel> film(12 * 8);
+    const auto member = [&](auto* p) {
+        return interleaved(p, size, 3, sizeof(pixel), static_cast<std::ptrdiff_t>(sizeof(pixel)) * size.width);
+    };
+    const image_view<float> noisy = member(film[0].color), clean = member(film[0].result);
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 12; ++x) noisy.at(x, y, c) = in.color.at(x, y, c);
+    named_layers layers;
+    layers.bind("color", noisy);
+    const image<> expected = bilateral().images(in.layers(), size, {executor_kind::simd})[0];
+    CHECK(complaint(bilateral(), layers, clean) == "");
+    CHECK(other_bits(clean, expected) == "");
+    CHECK(other_bits(noisy, in.color) == "");
+    // One float further on it would begin with the input's last channel.
+    CHECK(contains_all(complaint(bilateral(), layers, member(film[0].color + 2)), {"overlaps"}));
+    CHECK(contains_all(complaint(bilateral(), layers, member(film[0].color + 1)), {"overlaps"}));
+}
+
+TEST_CASE_METHOD(fixture, "numbers out of range are refused before any work") {
+    CHECK(contains_all(complaint(nlm({.radius = -1}), layers, result), {"radius is -1"}));
+    CHECK(contains_all(complaint(nlm({.patch_radius = -2}), layers, result), {"patch", "radius is -2"}));
+    CHECK(contains_all(complaint(test::disk({.radius = -3}), layers, result), {"radius is -3"}));
+    CHECK(untouched());
+}
+
+TEST_CASE_METHOD(fixture, "after a refusal the workspace is as good as new") {
+    workspace memory;
+    const output good{result}, bad{in.color.view()};
+    CHECK_THROWS_AS(nlm().run(layers, std::span(&bad, 1), {executor_kind::simd}, memory), invalid_input);
+    nlm().run(layers, std::span(&good, 1), {executor_kind::simd}, memory);
+    CHECK(other_bits(result, nlm().images(layers, size, {executor_kind::simd})[0]) == "");
+}

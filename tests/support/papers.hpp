@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// The papers' filters, with any numbers, as any_filter.
+#include <support/any_filter.hpp>
+#include <winnow/paper/joint_bilateral.hpp>
+#include <winnow/paper/nlm_2012.hpp>
+#include <winnow/paper/rdfc_2013.hpp>
+
+namespace winnow::test {
+
+any_filter erased(const paper::joint_bilateral& f);
+any_filter erased(const paper::bilateral& f);
+any_filter erased(const paper::nlm& f);
+any_filter erased(const paper::nlm_2012& f);
+any_filter erased(const paper::rdfc_candidate& f);
+
+}  // namespace winnow::test
