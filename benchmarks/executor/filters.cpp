@@ -11,6 +11,7 @@
 #include "support/check.hpp"
 #include "support/counted.hpp"
 #include "support/machine.hpp"
+#include "support/timed.hpp"
 
 namespace {
 
@@ -39,16 +40,13 @@ void run(benchmark::State& state, const Filter& filter, const Executor& executor
     if (halves) out.halves(s.result_a.view(), s.result_b.view());
     workspace memory;
     filter(in, out, executor, memory);
-    for (auto _ : state) filter(in, out, executor, memory);
+    const double seconds = benchmarks::seconds_each(state, [&] { filter(in, out, executor, memory); });
 
     const double pairs = static_cast<double>(area(filter.window)) * static_cast<double>(s.color.size().pixels());
-    const double seconds_each = 1.0 / static_cast<double>(state.iterations());
     const double operations = benchmarks::operations_per_pair(filter, halves ? 9 : 3);
     state.counters["ops/pair"] = operations;
-    state.counters["ns/pair"] =
-        benchmark::Counter(pairs * 1e-9 / seconds_each, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-    state.counters["GFLOP/s"] =
-        benchmark::Counter(operations * pairs * 1e-9 / seconds_each, benchmark::Counter::kIsRate);
+    state.counters["ns/pair"] = seconds / pairs * 1e9;
+    state.counters["GFLOP/s"] = operations * pairs / seconds * 1e-9;
     state.counters["peak"] = peak(threads);
     const double error = benchmarks::largest_error(filter, halo(filter), s, s.result);
     state.counters["max error"] = error;

@@ -13,6 +13,7 @@
 #include <winnow/window/disk.hpp>
 
 #include "support/check.hpp"
+#include "support/timed.hpp"
 
 namespace {
 
@@ -32,10 +33,11 @@ cv::Mat interleave(const image<float>& from) {
     return to;
 }
 
-void count_pairs(benchmark::State& state, long long offsets) {
+/// Times a call that visits this many offsets around each pixel.
+template <class Call>
+void time(benchmark::State& state, long long offsets, const Call& call) {
     const double pairs = static_cast<double>(offsets) * static_cast<double>(scene().color.size().pixels());
-    state.counters["ns/pair"] = benchmark::Counter(pairs * 1e-9 * static_cast<double>(state.iterations()),
-                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    state.counters["ns/pair"] = benchmarks::seconds_each(state, call) / pairs * 1e9;
 }
 
 /// Times a winnow filter and checks what it made.
@@ -46,8 +48,7 @@ void run(benchmark::State& state, const Filter& filter) {
     const output out(scene().result);
     const executor::openmp executor{.threads = threads};
     filter(in, out, executor, memory);
-    for (auto _ : state) filter(in, out, executor, memory);
-    count_pairs(state, area(filter.window));
+    time(state, area(filter.window), [&] { filter(in, out, executor, memory); });
     if (!(benchmarks::largest_error(filter, halo(filter), scene(), scene().result) < 2e-5))
         state.SkipWithError("the result differs from the definition");
 }
@@ -58,8 +59,7 @@ void run_opencv(benchmark::State& state, const cv::Mat& noisy, long long offsets
     cv::setNumThreads(threads);
     cv::Mat out;
     call(out);
-    for (auto _ : state) call(out);
-    count_pairs(state, offsets);
+    time(state, offsets, [&] { call(out); });
     cv::Scalar mean, before, after;
     cv::meanStdDev(noisy, mean, before);
     cv::meanStdDev(out, mean, after);
