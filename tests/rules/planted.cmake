@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The tests of the tests: plants one violation after the other in a copy and sees it found.
+#     cmake -D REPOSITORY=... -D SCRATCH=... -D COMPILER=... -P planted.cmake
+cmake_minimum_required(VERSION 3.24)
+
+set(headers ${SCRATCH}/include)
+set(failures)
+
+function(fresh_copy)
+  file(REMOVE_RECURSE ${SCRATCH})
+  file(COPY ${REPOSITORY}/include/winnow DESTINATION ${headers})
+  file(COPY ${REPOSITORY}/tests/support/policies.hpp DESTINATION ${SCRATCH})
+endfunction()
+
+# Runs a script, which must fail with a message that matches `wanted`, or succeed where that is empty.
+function(expect what wanted)
+  execute_process(COMMAND ${CMAKE_COMMAND} ${ARGN} RESULT_VARIABLE failed OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  string(REGEX REPLACE "[ \n]+" " " out "${out}")
+  if((wanted STREQUAL "" AND failed) OR (NOT wanted STREQUAL "" AND NOT (failed AND out MATCHES "${wanted}")))
+    set(failures "${failures}  ${what}: ${out}\n" PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Appends text to a header and expects the rules to object.
+macro(plant script file text wanted)
+  fresh_copy()
+  file(APPEND ${headers}/winnow/${file} "${text}")
+  expect("${file} + ${text}" "${wanted}" -D HEADERS=${headers} -D LIST=${SCRATCH}/policies.hpp
+    -P ${REPOSITORY}/tests/rules/${script}.cmake)
+endmacro()
+
+plant(layers core/math.hpp "// nothing wrong\n" "")
+plant(layers core/math.hpp "#include <winnow/image/extent.hpp>\n" "core/math.hpp includes image/extent.hpp, but core may")
+plant(layers image/view.hpp "#  include  <winnow/frame/guide.hpp>\n" "image/view.hpp includes frame/guide.hpp")
+plant(layers distance/patch.hpp "#include <winnow/weight/concept.hpp>\n" "distance may include only: core.frame")
+plant(layers executor/serial.hpp "#include <winnow/filter/filter.hpp>\n" "executor/serial.hpp includes filter/filter.hpp")
+plant(layers filter/filter.hpp "#include <winnow/paper/nlm_2012.hpp>\n" "filter.hpp includes paper/nlm_2012.hpp")
+plant(layers winnow.hpp "#include <winnow/executor/simd.hpp>\n" "winnow.hpp includes executor/simd.hpp, which is for")
+plant(layers paper/nlm_2012.hpp "#include <winnow/winnow.hpp>\n" "includes the umbrella")
+plant(layers weight/cutoff.hpp "#include <winnow/weight/gone.hpp>\n" "does not exist")
+plant(layers weight/cutoff.hpp "#include \"concept.hpp\"\n" "with quotes")
+plant(layers executor/serial.hpp "#include <xsimd/xsimd.hpp>\n" "whose door is executor/lanes.hpp")
+plant(layers executor/pool.hpp "#include <omp.h>\n" "whose door is executor/openmp.hpp")
+plant(layers filter/filter.hpp "#include <Eigen/Core>\n" "not of the standard library")
+plant(layers image/view.hpp "#include <OpenEXR/ImfIO.h>\n" "not of the standard library")
+plant(layers core/half.hpp "#define WINNOW_ONE\n#define WINNOW_TWO\n" "4 macros, more than 3")
+plant(layers core/half.hpp "#define HALF 1\n" "defines HALF, a macro that is not ours")
+plant(layers stray/new.hpp "#pragma once\n" "folder of no known layer.*does not begin with licence")
+string(REPEAT "\n" 300 empty_lines)
+plant(layers window/disk.hpp "${empty_lines}" "window/disk.hpp has 3[0-9]+ lines")
+
+set(policy "using role = role::")
+plant(policies distance/spatial.hpp "struct unlisted {\n    ${policy}distance;\n};\n" "distance::unlisted has no example")
+plant(policies window/disk.hpp "struct dis {\n    // words\n    ${policy}window;\n};\n" "window::dis has no example")
+plant(policies weight/cutoff.hpp "struct late {\n    int x;\n    ${policy}weight;\n};\n" "cutoff.hpp: a policy begins")
+
+# Compile errors that are none, or others.
+function(write_source name expect wrong)
+  file(WRITE ${SCRATCH}/${name}.cpp "// expect: ${expect}\n#ifdef WINNOW_WRONG\n${wrong}\n#else\nint x;\n#endif\n")
+endfunction()
+set(compile -D COMPILER=${COMPILER} -D REPOSITORY=${REPOSITORY})
+set(then -P ${REPOSITORY}/tests/fail/fail.cmake)
+write_source(right "undefined_name|undeclared" "int x = undefined_name;")
+expect("a wrong line" "" ${compile} -D SOURCE=${SCRATCH}/right.cpp -D WRONG=ON ${then})
+expect("its control" "" ${compile} -D SOURCE=${SCRATCH}/right.cpp -D WRONG=OFF ${then})
+write_source(compiles "anything" "int y;")
+expect("a wrong line that compiles" "it compiles, but should" ${compile} -D SOURCE=${SCRATCH}/compiles.cpp -D WRONG=ON ${then})
+write_source(reason "weight_policy" "int x = undefined_name;")
+expect("another reason" "does not say: weight_policy" ${compile} -D SOURCE=${SCRATCH}/reason.cpp -D WRONG=ON ${then})
+file(WRITE ${SCRATCH}/elsewhere.cpp "// expect: nothing\n#ifdef WINNOW_WRONG\n#else\nint nothing;\n#endif\nint x = nothing;\n")
+expect("another line" "does not name line" ${compile} -D SOURCE=${SCRATCH}/elsewhere.cpp -D WRONG=ON ${then})
+string(REPEAT "int x = undefined_name;\n" 40 many)
+write_source(long "undefined_name" "${many}")
+expect("a long message" "more than a screen" ${compile} -D SOURCE=${SCRATCH}/long.cpp -D WRONG=ON ${then})
+file(WRITE ${SCRATCH}/control.cpp "int x = undefined_name;\n")
+expect("a control that fails" "control does not compile" ${compile} -D SOURCE=${SCRATCH}/control.cpp -D WRONG=OFF ${then})
+
+file(REMOVE_RECURSE ${SCRATCH})
+if(failures)
+  message(FATAL_ERROR "not found:\n${failures}")
+endif()
