@@ -72,7 +72,8 @@ TEST_CASE("the plan tells the halo, the tiles, the workers and the bytes that th
             CHECK(memory.tiles.size() == p.scratch_bytes);
             CHECK(memory.progress.total == p.tiles);
             CHECK(p.halo == f.halo);
-            CHECK(p.passes == 1);
+            CHECK(memory.images.size() == p.image_bytes);
+            CHECK(p.passes == (p.image_bytes > 0 ? 2 : 1));
             CHECK(p.workers == (kind == executor_kind::pool ? 3 : 1));
         }
 }
