@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <winnow/frame/variance.hpp>
+
+#include <cmath>
+#include <random>
+#include <support/catch.hpp>
+#include <winnow/image/image.hpp>
+
+using namespace winnow;
+
+namespace {
+
+const float nan_value = std::numeric_limits<float>::quiet_NaN();
+
+image<float> from_halves(const image<float>& a, const image<float>& b, int radius) {
+    image<float> v(a.size(), a.channels());
+    variance_from_halves(a.view(), b.view(), v.view(), radius);
+    return v;
+}
+
+}  // namespace
+
+TEST_CASE("the variance from halves is that of their mean") {
+    // Unit variance in each half: the mean has 1/2.
+    std::mt19937 random(1);
+    std::normal_distribution<float> noise;
+    image<float> a({200, 100}), b({200, 100});
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 200; ++x) a.at(x, y) = noise(random), b.at(x, y) = noise(random);
+    for (int radius : {0, 1, 3}) {
+        const image<float> v = from_halves(a, b, radius);
+        double sum = 0;
+        for (int y = 0; y < 100; ++y)
+            for (int x = 0; x < 200; ++x) sum += v.at(x, y);
+        CHECK(sum / 20000 == Approx(0.5).margin(0.02));  // four standard deviations
+    }
+}
+
+TEST_CASE("halves are averaged over the part of the box that lies in the image") {
+    image<float> a({3, 2}), b({3, 2});
+    a.at(0, 0) = 2;   // (A - B)^2 / 4 = 1
+    b.at(2, 1) = 12;  // 36
+    const image<float> v = from_halves(a, b, 1);
+    CHECK(v.at(0, 0) == 1.0f / 4);
+    CHECK(v.at(1, 0) == Approx(37.0f / 6));
+    CHECK(v.at(2, 0) == 36.0f / 4);
+    CHECK(from_halves(a, b, 0).at(2, 1) == 36.0f);
+}
+
+TEST_CASE("unequal halves share by their numbers of samples") {
+    CHECK(share_of_halves() == 0.25f);
+    CHECK(share_of_halves(3, 1) == 3.0f / 16);
+    CHECK(share_of_halves(2, 1) == Approx(2.0f / 9));
+}
+
+TEST_CASE("pixels without samples are left out, and are unknown where nothing else is near") {
+    image<float> a({7, 1}, 2), b({7, 1}, 2);
+    for (int x = 0; x < 3; ++x) a.at(x, 0, 1) = nan_value;
+    b.at(2, 0) = std::numeric_limits<float>::infinity();
+    a.at(1, 0) = 2;
+    const image<float> v = from_halves(a, b, 1);
+    CHECK(v.at(2, 0) == 0.5f);  // pixels 1 and 3
+    CHECK(std::isnan(v.at(0, 0, 1)));
+    CHECK(std::isnan(v.at(1, 0, 1)));
+    CHECK(v.at(2, 0, 1) == 0.0f);
+}
+
+TEST_CASE("several renders give their mean and its variance, far from zero as well") {
+    const float values[] = {1e6f + 1, 1e6f + 3, 1e6f + 5, 1e6f + 7};  // variance of one: 20/3
+    std::vector<image<float>> renders;
+    for (float v : values) {
+        renders.emplace_back(extent{2, 1}, 1);
+        renders.back().at(0, 0) = v;
+        renders.back().at(1, 0) = v;
+    }
+    renders[0].at(1, 0) = nan_value;
+    std::vector<source> sources;
+    for (const auto& r : renders) sources.emplace_back(r.view());
+    image<float> mean({2, 1}), variance({2, 1});
+    mean_and_variance(sources, mean.view(), variance.view());
+    CHECK(mean.at(0, 0) == 1e6f + 4);
+    CHECK(variance.at(0, 0) == Approx(20.0 / 3 / 4));
+    CHECK(mean.at(1, 0) == 1e6f + 5);
+    CHECK(variance.at(1, 0) == Approx(4.0 / 3));
+
+    mean_and_variance(std::span(sources).first(2), mean.view(), variance.view());
+    CHECK(mean.at(1, 0) == 1e6f + 3);
+    CHECK(std::isnan(variance.at(1, 0)));  // of one sample
+    mean_and_variance(std::span(sources).first(1), mean.view(), {});
+    CHECK(std::isnan(mean.at(1, 0)));
+    CHECK_THROWS_WITH(mean_and_variance({}, mean.view(), {}), "there are no renders to take the mean of");
+}
+
+TEST_CASE("layers that do not fit are refused with their sizes") {
+    image<float> a({3, 2}), b({2, 2}), c({3, 2}, 3);
+    CHECK_THROWS_WITH(variance_from_halves(a.view(), b.view(), a.view()), "the second half is 2x2, not 3x2");
+    CHECK_THROWS_WITH(variance_from_halves(a.view(), a.view(), c.view()), "the variance has 3 channels, not 1");
+}
