@@ -8,7 +8,8 @@ namespace winnow {
 
 /// What a run will take, known before it starts.
 struct run_plan {
-    std::size_t scratch_bytes = 0;  ///< in the workspace
+    std::size_t scratch_bytes = 0;  ///< of the workspace, for tiles
+    std::size_t image_bytes = 0;    ///< of the workspace, for whole images between passes
     int tiles = 0;
     int workers = 1;
     int passes = 1;
@@ -34,6 +35,7 @@ run_plan plan_tiles(const Kernel& kernel, const Sweep& sweep, const sweep_buffer
         detail::ceil_div(buffers.size.width, tile.width) * detail::ceil_div(buffers.size.height, tile.height);
     workers = std::max(1, std::min(workers, tiles));
     return {.scratch_bytes = workers * detail::aligned(kernel.scratch_bytes(sweep, buffers)),
+            .image_bytes = 0,
             .tiles = tiles,
             .workers = workers,
             .passes = 1,

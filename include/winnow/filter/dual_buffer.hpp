@@ -90,4 +90,17 @@ struct dual_buffer {
 template <class F>
 dual_buffer(F) -> dual_buffer<F>;
 
+/// As of the filter that is run twice.
+template <class F>
+int halo(const dual_buffer<F>& f) {
+    return halo(f.filter);
+}
+template <class F, executor_policy Executor>
+run_plan plan(const dual_buffer<F>& f, extent size, const Executor& executor, int values = 3) {
+    run_plan p = plan(f.filter, size, executor, values);
+    p.image_bytes = 2 * sizeof(float) * static_cast<std::size_t>(size.pixels()) * values;
+    p.passes = 2;
+    return p;
+}
+
 }  // namespace winnow

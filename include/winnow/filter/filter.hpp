@@ -58,16 +58,22 @@ struct filter {
 template <weight_policy W, window_policy Window = window::square, estimator_policy E = estimator::none>
 filter(W, Window = {}, E = {}, border = border::clip) -> filter<W, Window, E>;
 
+/// What runs as one sweep: a filter, or several over one window.
+template <class F>
+concept single_sweep = requires(const F f) {
+    f.as_sweep();
+};
+
 /// How far from a pixel its result can depend on the input, in pixels.
-template <class W, class Window, class E>
-int halo(const filter<W, Window, E>& f) {
+template <single_sweep F>
+int halo(const F& f) {
     return halo(f.as_sweep());
 }
 
 /// What a run over an image of this size will take; `values` counts the planes to filter: 3 for the colour, 6 more with
 /// halves, and those of further layers.
-template <class W, class Window, class E, executor_policy Executor>
-run_plan plan(const filter<W, Window, E>& f, extent size, const Executor& executor, int values = 3) {
+template <single_sweep F, executor_policy Executor>
+run_plan plan(const F& f, extent size, const Executor& executor, int values = 3) {
     sweep_buffers buffers;
     buffers.size = size;
     buffers.values.resize(values);
