@@ -52,6 +52,7 @@ TEST_CASE("min is the smallest of its weights") {
     CHECK(weigh(min(of_depth, of_albedo)) == Approx(albedo_weight).epsilon(1e-6));
     CHECK(weigh(min(of_depth, of_offset, of_albedo)) == Approx(offset_weight).epsilon(1e-6));
     CHECK(weigh(min(of_depth, cut)) == Approx(depth_weight).epsilon(1e-6));
+    CHECK(weigh(min(cut, of_depth)) == Approx(depth_weight).epsilon(1e-6));
     CHECK(weigh(min(cut, of_depth), 1) == 0);
 }
 

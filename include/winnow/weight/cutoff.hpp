@@ -17,7 +17,8 @@ struct cutoff {
 
     template <class Real, class Planes>
     WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
-        return math::select(Real(limit) < distance(pq), Real(0), Real(1));
+        // min turns a NaN into a number beyond every limit: it gets no weight.
+        return math::select(Real(limit) < math::min(distance(pq), Real(3e38f)), Real(0), Real(1));
     }
     bool operator==(const cutoff&) const = default;
 
