@@ -4,7 +4,9 @@
 /// How executors look into an expression.  A policy made of others has one member,
 ///     template <class F> constexpr auto decompose(F f) const { return f(make, operands...); }
 /// where make(operands...) builds the same policy from other operands.  Everything else follows from it; a policy
-/// without it is opaque, which costs speed where it hides a patch, never correctness.
+/// without it is opaque, which costs speed where it hides a patch, never correctness, as long as it tells how far it
+/// looks beyond its two pixels:  `int reach() const`.  Operands are evaluated at the policy's own pair of pixels; a
+/// policy that evaluates them at shifted pairs is opaque.
 #include <tuple>
 
 namespace winnow {

@@ -9,7 +9,7 @@
 
 namespace winnow::math {
 
-/// The second argument may be a plain number: max(d, 0).
+/// Of a float or a double the second argument may be a plain number: max(d, 0).  Policies write max(d, Real(0)).
 template <class Real>
 using same = std::type_identity_t<Real>;
 
