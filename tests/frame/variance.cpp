@@ -32,7 +32,7 @@ TEST_CASE("the variance from halves is that of their mean") {
         double sum = 0;
         for (int y = 0; y < 100; ++y)
             for (int x = 0; x < 200; ++x) sum += v.at(x, y);
-        CHECK(sum / 20000 == Approx(0.5).margin(0.02));  // four standard deviations
+        CHECK(std::abs(sum / 20000 - 0.5) < 0.02);  // four standard deviations
     }
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("halves are averaged over the part of the box that lies in the image")
     b.at(2, 1) = 12;  // 36
     const image<float> v = from_halves(a, b, 1);
     CHECK(v.at(0, 0) == 1.0f / 4);
-    CHECK(v.at(1, 0) == Approx(37.0f / 6));
+    CHECK(std::abs(v.at(1, 0) - 37.0f / 6) < 1e-6f);
     CHECK(v.at(2, 0) == 36.0f / 4);
     CHECK(from_halves(a, b, 0).at(2, 1) == 36.0f);
 }
@@ -50,7 +50,7 @@ TEST_CASE("halves are averaged over the part of the box that lies in the image")
 TEST_CASE("unequal halves share by their numbers of samples") {
     CHECK(share_of_halves() == 0.25f);
     CHECK(share_of_halves(3, 1) == 3.0f / 16);
-    CHECK(share_of_halves(2, 1) == Approx(2.0f / 9));
+    CHECK(std::abs(share_of_halves(2, 1) - 2.0f / 9) < 1e-7f);
 }
 
 TEST_CASE("pixels without samples are left out, and are unknown where nothing else is near") {
@@ -79,9 +79,9 @@ TEST_CASE("several renders give their mean and its variance, far from zero as we
     image<float> mean({2, 1}), variance({2, 1});
     mean_and_variance(sources, mean.view(), variance.view());
     CHECK(mean.at(0, 0) == 1e6f + 4);
-    CHECK(variance.at(0, 0) == Approx(20.0 / 3 / 4));
+    CHECK(std::abs(variance.at(0, 0) - 5.0f / 3) < 1e-6f);
     CHECK(mean.at(1, 0) == 1e6f + 5);
-    CHECK(variance.at(1, 0) == Approx(4.0 / 3));
+    CHECK(std::abs(variance.at(1, 0) - 4.0f / 3) < 1e-6f);
 
     mean_and_variance(std::span(sources).first(2), mean.view(), variance.view());
     CHECK(mean.at(1, 0) == 1e6f + 3);
