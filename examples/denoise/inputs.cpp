@@ -40,8 +40,10 @@ buffer combine(const stack& s) {
     b.half_a = mean_of(s.every(2));
     b.half_b = mean_of(s.every(2, 1));
     if (all.size() > 2) {
-        b.variance = image<float>(b.mean.size(), b.mean.channels());
-        mean_and_variance(all, {}, b.variance.view());
+        image<float> raw(b.mean.size(), b.mean.channels());
+        mean_and_variance(all, {}, raw.view());
+        b.variance = raw;
+        smooth_variance(raw.view(), b.variance.view());
     }
     return b;
 }

@@ -65,6 +65,21 @@ TEST_CASE("pixels without samples are left out, and are unknown where nothing el
     CHECK(v.at(2, 0, 1) == 0.0f);
 }
 
+TEST_CASE("a smoothed variance leaves out what is no variance") {
+    image<float> raw({4, 1}), v({4, 1});
+    raw.at(0, 0) = 1;
+    raw.at(1, 0) = -5;
+    raw.at(2, 0) = 3;
+    raw.at(3, 0) = nan_value;
+    smooth_variance(raw.view(), v.view());
+    CHECK(v.at(0, 0) == 1);
+    CHECK(v.at(1, 0) == 2);
+    CHECK(v.at(2, 0) == 3);
+    CHECK(v.at(3, 0) == 3);
+    smooth_variance(raw.view(), v.view(), 0);
+    CHECK(std::isnan(v.at(1, 0)));
+}
+
 TEST_CASE("several renders give their mean and its variance, far from zero as well") {
     const float values[] = {1e6f + 1, 1e6f + 3, 1e6f + 5, 1e6f + 7};  // variance of one: 20/3
     std::vector<image<float>> renders;

@@ -23,6 +23,29 @@ inline void check_same(const char* what, const source& layer, const source& as) 
              std::to_string(as.channels));
 }
 
+/// The mean of the finite values of value(x, y) over the square around each pixel, as far as it lies in the image; NaN
+/// where there is none.
+template <class Value>
+void box_mean(const Value& value, const target& to, int radius) {
+    const extent size = to.size;
+    std::vector<double> sum(size.width), count(size.width);
+    for (int y = 0; y < size.height; ++y) {
+        std::fill(sum.begin(), sum.end(), 0.0);
+        std::fill(count.begin(), count.end(), 0.0);
+        for (int j = std::max(0, y - radius); j <= std::min(size.height - 1, y + radius); ++j)
+            for (int x = 0; x < size.width; ++x)
+                if (const float v = value(x, j); is_finite(v)) sum[x] += v, ++count[x];
+        for (int x = 0; x < size.width; ++x) {
+            double values = 0, pixels = 0;
+            for (int i = std::max(0, x - radius); i <= std::min(size.width - 1, x + radius); ++i) {
+                values += sum[i];
+                pixels += count[i];
+            }
+            to.set(x, y, pixels > 0 ? static_cast<float>(values / pixels) : unknown);
+        }
+    }
+}
+
 }  // namespace detail
 
 /// How much of (A - B)^2 is the variance of the mean of two halves of n_a and n_b samples: 1/4 for equal halves.
@@ -39,29 +62,25 @@ inline void variance_from_halves(const source& a, const source& b, const target&
                                  float share = share_of_halves()) {
     detail::check_same("the second half", b, a);
     detail::check_same("the variance", source(to), a);
-    const extent size = a.size;
-    std::vector<double> sum(size.width), count(size.width);
     for (int c = 0; c < a.channels; ++c) {
-        const source x_plane = a.channel(c), y_plane = b.channel(c);
-        for (int y = 0; y < size.height; ++y) {
-            std::fill(sum.begin(), sum.end(), 0.0);
-            std::fill(count.begin(), count.end(), 0.0);
-            for (int j = std::max(0, y - radius); j <= std::min(size.height - 1, y + radius); ++j)
-                for (int x = 0; x < size.width; ++x) {
-                    const float difference = x_plane.at(x, j) - y_plane.at(x, j);
-                    if (!is_finite(difference)) continue;
-                    sum[x] += double{difference} * difference;
-                    ++count[x];
-                }
-            for (int x = 0; x < size.width; ++x) {
-                double squares = 0, pixels = 0;
-                for (int i = std::max(0, x - radius); i <= std::min(size.width - 1, x + radius); ++i) {
-                    squares += sum[i];
-                    pixels += count[i];
-                }
-                to.channel(c).set(x, y, pixels > 0 ? static_cast<float>(share * squares / pixels) : detail::unknown);
-            }
-        }
+        const source x = a.channel(c), y = b.channel(c);
+        const auto squared = [&](int i, int j) {
+            const float difference = x.at(i, j) - y.at(i, j);
+            return share * difference * difference;
+        };
+        detail::box_mean(squared, to.channel(c), radius);
+    }
+}
+
+/// A variance from few samples is itself noisy, and misses what a heavy tail has not shown yet: its average over the
+/// square of the given radius.  Negative and non-finite values are left out, and filled where there are others near.
+/// `to` must not overlap `variance`.
+inline void smooth_variance(const source& variance, const target& to, int radius = 1) {
+    detail::check_same("the smoothed variance", source(to), variance);
+    for (int c = 0; c < to.channels; ++c) {
+        const source from = variance.channel(c);
+        const auto valid = [&](int x, int y) { return from.at(x, y) >= 0 ? from.at(x, y) : detail::unknown; };
+        detail::box_mean(valid, to.channel(c), radius);
     }
 }
 
