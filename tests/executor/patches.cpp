@@ -37,16 +37,16 @@ TEST_CASE("the bits of a patch do not depend on which other patches share its di
                         {executor_kind::simd, 3},
                         {executor_kind::serial, 1},
                         {executor_kind::serial_double, 1}};
-    for (const auto [kind, f] : ways)
+    for (const way& w : ways)
         for (const border rule : all_borders) {
-            const filter_numbers n{.radius = 2, .patch_radius = f, .border = rule};
+            const filter_numbers n{.radius = 2, .patch_radius = w.patch_radius, .border = rule};
             const auto check = [&](const any_filter& together, const std::vector<any_filter>& parts) {
-                const auto all = together.images(in.layers(), size, {kind});
+                const auto all = together.images(in.layers(), size, {w.kind});
                 REQUIRE(all.size() == parts.size());
                 for (std::size_t i = 0; i < parts.size(); ++i) {
-                    CAPTURE(together.name, parts[i].name, static_cast<int>(kind), static_cast<int>(rule),
+                    CAPTURE(together.name, parts[i].name, static_cast<int>(w.kind), static_cast<int>(rule),
                             n.patch_radius);
-                    CHECK(other_bits(all[i], parts[i].images(in.layers(), size, {kind})[0]) == "");
+                    CHECK(other_bits(all[i], parts[i].images(in.layers(), size, {w.kind})[0]) == "");
                 }
             };
             check(three_candidates(n), parts_of_three_candidates(n));

@@ -49,8 +49,9 @@ TEST_CASE("a second run with halves, error and further layers allocates nothing"
     const extent size{35, 20};
     const buffers in = make_buffers(size);
     const named_layers layers = in.layers();
-    image<> mean(size, 3), a(size, 3), b(size, 3), error(size, 3), depth(size, 1);
-    const output out = output{mean}.halves(a.view(), b.view()).error(error.view()).layer(in.depth.view(), depth.view());
+    image<> mean(size, 3), a(size, 3), b(size, 3), error(size, 3), filtered_depth(size, 1);
+    const output out =
+        output{mean}.halves(a.view(), b.view()).error(error.view()).layer(in.depth.view(), filtered_depth.view());
     for (const any_filter& f : {nlm_with_error(), nlm_dual_buffer()})
         for (const executor_kind kind : without_threads) {
             CAPTURE(f.name, static_cast<int>(kind));

@@ -56,13 +56,13 @@ TEST_CASE("the first half is filtered with weights that the second half alone de
 TEST_CASE("mean, error and further layers of the dual buffer follow from its two filterings") {
     const buffers in = make_buffers(size);
     for (const executor_kind kind : kinds) {
-        image<> mean(size, 3), a(size, 3), b(size, 3), error(size, 3), layer(size, 3), depth(size, 1);
+        image<> mean(size, 3), a(size, 3), b(size, 3), error(size, 3), layer(size, 3), filtered_depth(size, 1);
         nlm_dual_buffer()(in.layers(),
                           output{mean}
                               .halves(a.view(), b.view())
                               .error(error.view())
                               .layer(in.half_a.view(), layer.view())
-                              .layer(in.depth.view(), depth.view()),
+                              .layer(in.depth.view(), filtered_depth.view()),
                           {kind});
         CHECK(other_bits(
                   mean, fill(size, 3, [&](int x, int y, int c) { return (a.at(x, y, c) + b.at(x, y, c)) / 2; })) == "");
@@ -77,7 +77,7 @@ TEST_CASE("mean, error and further layers of the dual buffer follow from its two
         CHECK(other_bits(layer, fill(size, 3, [&](int x, int y, int c) {
                              return (a.at(x, y, c) + a_by_a.at(x, y, c)) / 2;
                          })) == "");
-        CHECK(largest_magnitude(depth) > 0);
-        CHECK(other_bits(depth, in.depth) != "");
+        CHECK(largest_magnitude(filtered_depth) > 0);
+        CHECK(other_bits(filtered_depth, in.depth) != "");
     }
 }

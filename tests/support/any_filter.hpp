@@ -29,7 +29,7 @@ struct any_filter {
     int outputs = 1;
     int halo = 0;
     std::function<void(const named_layers&, std::span<const output>, const how&, workspace&)> run;
-    std::function<run_plan(extent, const how&, int values)> plan;  ///< empty where the library has none
+    std::function<run_plan(extent, const how&, int values)> plan;
 
     void operator()(const named_layers& in, std::span<const output> out, const how& h) const {
         workspace memory;

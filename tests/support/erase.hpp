@@ -44,10 +44,17 @@ int outputs_of(const candidates<W, E, Weights...>&) {
     return sizeof...(Weights);
 }
 
-template <class Filter>
-int halo_of(const Filter& f) {
-    if constexpr (requires { f.as_sweep(); }) return halo(f.as_sweep());
-    else return halo(f.filter);
+template <class Filter, class Executor>
+void run(const Filter& f, const named_layers& in, std::span<const output> out, const Executor& executor,
+         workspace& memory) {
+    f(in, out[0], executor, memory);
+}
+template <class W, class E, class... Weights, class Executor>
+void run(const candidates<W, E, Weights...>& f, const named_layers& in, std::span<const output> out,
+         const Executor& executor, workspace& memory) {
+    std::array<output, sizeof...(Weights)> all;
+    std::copy(out.begin(), out.end(), all.begin());
+    f(in, all, executor, memory);
 }
 
 template <class Filter>
@@ -55,21 +62,13 @@ any_filter erase(std::string name, const Filter& f) {
     any_filter any;
     any.name = std::move(name);
     any.outputs = outputs_of(f);
-    any.halo = halo_of(f);
+    any.halo = halo(f);
     any.run = [f](const named_layers& in, std::span<const output> out, const how& h, workspace& memory) {
-        with_executor(h, [&](const auto& executor) {
-            if constexpr (requires { f(in, out[0], executor, memory); }) f(in, out[0], executor, memory);
-            else {
-                std::array<output, Filter::count> all;
-                std::copy(out.begin(), out.end(), all.begin());
-                f(in, all, executor, memory);
-            }
-        });
+        with_executor(h, [&](const auto& executor) { run(f, in, out, executor, memory); });
     };
-    if constexpr (requires(executor::simd e) { plan(f, extent{}, e, 3); })
-        any.plan = [f](extent size, const how& h, int values) {
-            return with_executor(h, [&](const auto& executor) { return plan(f, size, executor, values); });
-        };
+    any.plan = [f](extent size, const how& h, int values) {
+        return with_executor(h, [&](const auto& executor) { return plan(f, size, executor, values); });
+    };
     return any;
 }
 
