@@ -189,6 +189,20 @@ TEST_CASE("a result may lie in the pixels of the renderer's own struct, beside t
     CHECK(contains_all(complaint(bilateral(), layers, member(film[0].color + 1)), {"overlaps"}));
 }
 
+TEST_CASE("a result that shares half a value with an input in the same pixels is refused") {
+    // Pixels of 24 bytes: the input in half from byte 14 on, the result in float up to byte 12, or 16.
+    alignas(4) static std::byte film[24 * 12 * 8 + 8] = {};
+    const strides input_step{2, 24, 24 * 12}, result_step{4, 24, 24 * 12};
+    const image_view<half> noisy{reinterpret_cast<half*>(film + 14), size, 3, input_step};
+    named_layers layers;
+    layers.bind("color", noisy);
+    const auto result_at = [&](int byte) {
+        return output{image_view<float>{reinterpret_cast<float*>(film + byte), size, 3, result_step}};
+    };
+    CHECK(complaint(bilateral(), layers, result_at(0)) == "");
+    CHECK(contains_all(complaint(bilateral(), layers, result_at(4)), {"overlaps"}));
+}
+
 TEST_CASE_METHOD(fixture, "numbers out of range are refused before any work") {
     CHECK(contains_all(complaint(nlm({.radius = -1}), layers, result), {"radius is -1"}));
     CHECK(contains_all(complaint(nlm({.patch_radius = -2}), layers, result), {"patch", "radius is -2"}));
