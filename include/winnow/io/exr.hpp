@@ -32,12 +32,16 @@ public:
     /// No channels yet; data and display window are the same.
     explicit exr_image(rectangle window) : header_(box(window), box(window)) {}
     /// No channels yet; the attributes of somebody else's header.
-    explicit exr_image(const Imf::Header& header) : header_(header) {
-        // What belongs to the storage of that file, or shows its old pixels.
-        for (const char* name : {"tiles", "type", "chunkCount", "version", "preview", "maxSamplesPerPixel"})
-            header_.erase(name);
-        header_.channels() = Imf::ChannelList();
-        header_.lineOrder() = Imf::INCREASING_Y;
+    explicit exr_image(const Imf::Header& header) {
+        // Left out is what belongs to the storage of that file, or shows its old pixels; Header::erase would leak it.
+        const auto stays = [](const std::string& name) {
+            for (const char* other :
+                 {"tiles", "type", "chunkCount", "version", "preview", "maxSamplesPerPixel", "channels", "lineOrder"})
+                if (name == other) return false;
+            return true;
+        };
+        for (auto a = header.begin(); a != header.end(); ++a)
+            if (stays(a.name())) header_.insert(a.name(), a.attribute());
     }
 
     /// Where the pixels are, in the coordinates of the file; (0, 0) of every channel is its upper left corner.
