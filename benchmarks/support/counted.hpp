@@ -43,34 +43,30 @@ struct counted {
     static counted select(mask m, counted a, counted b) { return result(m.varies || a.varies || b.varies, 1); }
 };
 
-/// Operations per pixel and offset of a filter that is run offset-major: the inner distance of each patch once, its
-/// separable sums by balanced trees, the weight, and two for each sum.
+/// Operations per pixel and offset of a filter that is run offset-major: what is inside a patch once, its separable
+/// sums by balanced trees, the weight, and two for each sum.
 template <class Filter>
 double operations_per_pair(const Filter& filter, int values) {
-    const auto sweep = filter.as_sweep();
     using reads = typename Filter::reads;
     std::vector<float> memory(1 << 16);
     const float* p = memory.data();
     const float* q = p + memory.size() / 2;
     const pitch step{64, 64 * (reads::count + 1)};
     counted::q_begin = q;
-    counted::operations = 0;
-    const auto evaluate = [&](const auto& policy) {
-        (void)policy(pixel_pair<counted, reads>(p, q, step, 1, 1, {q, 1}));
+    counted::operations = 2 * (1 + values);
+    const auto count = [&](const auto& self, const auto& nodes) -> void {
+        std::apply(
+            [&](const auto&... node) {
+                ((void)node(pixel_pair<counted, reads>(p, q, step, 1, 1, {q, 1})), ...);
+            },
+            detail::without_patches(nodes));
+        std::apply(
+            [&](const auto&... patch) {
+                ((counted::operations += 2 * 2 * patch.radius + 1, self(self, std::tuple(patch.inner))), ...);
+            },
+            detail::patches_in(nodes));
     };
-    std::apply(
-        [&](const auto&... w) {
-            const auto patches = std::tuple_cat(collect<detail::is_patch>(w)...);
-            std::apply(
-                [&](const auto&... patch) {
-                    ((evaluate(patch.inner), counted::operations += 2 * 2 * patch.radius + 1), ...);
-                },
-                patches);
-        },
-        sweep.weights);
-    const auto rewritten = prepared_patches_of<decltype(sweep)>::rewritten(sweep.weights);
-    std::apply([&](const auto&... w) { (evaluate(w), ...); }, rewritten);
-    counted::operations += 2 * (1 + values);
+    count(count, filter.as_sweep().weights);
     return static_cast<double>(counted::operations);
 }
 

@@ -22,5 +22,6 @@
 #include <winnow/weight/cutoff.hpp>
 #include <winnow/weight/exponential.hpp>
 #include <winnow/weight/gaussian.hpp>
+#include <winnow/weight/patch_mean.hpp>
 #include <winnow/window/disk.hpp>
 #include <winnow/window/square.hpp>

@@ -6,7 +6,25 @@
 #include <winnow/core/error.hpp>
 #include <winnow/distance/concept.hpp>
 
-namespace winnow::distance {
+namespace winnow {
+
+namespace detail {
+/// The mean of policy(p + n, q + n) over the offsets |n| <= radius at which both pixels exist.
+template <class Policy, class Real, class Planes>
+WINNOW_HD Real mean_over_patch(const Policy& policy, int radius, const pixel_pair<Real, Planes>& pq) {
+    Real sum(0), count(0);
+    for (int y = -radius; y <= radius; ++y)
+        for (int x = -radius; x <= radius; ++x) {
+            const auto shifted = pq.shifted(x, y);
+            const Real covered = shifted.covered();
+            sum = math::fma(covered, policy(shifted), sum);
+            count = count + covered;
+        }
+    return sum / math::max(count, Real(1));
+}
+}  // namespace detail
+
+namespace distance {
 
 /// (1/|N|) sum over n in N of D(p + n, q + n), where N holds the offsets of the (2 radius + 1)^2 patch at which both
 /// pixels exist.  As a policy it is evaluated pixel by pixel, at a cost that grows with the patch; executors that know
@@ -22,15 +40,7 @@ struct patch {
 
     template <class Real, class Planes>
     WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
-        Real sum(0), count(0);
-        for (int y = -radius; y <= radius; ++y)
-            for (int x = -radius; x <= radius; ++x) {
-                const auto shifted = pq.shifted(x, y);
-                const Real covered = shifted.covered();
-                sum = math::fma(covered, inner(shifted), sum);
-                count = count + covered;
-            }
-        return sum / math::max(count, Real(1));
+        return detail::mean_over_patch(inner, radius, pq);
     }
     bool operator==(const patch&) const = default;
 
@@ -51,9 +61,7 @@ struct patch_numbers {
     int radius = 3;
 };
 
-}  // namespace winnow::distance
-
-namespace winnow {
+}  // namespace distance
 
 template <distance_policy D>
 constexpr auto patch(D inner, distance::patch_numbers numbers = {}) {

@@ -19,8 +19,9 @@ template <class Node>
 } > {};
 
 /// Stands in the expression where a patch stood.
+template <class Role>
 struct looked_up {
-    using role = role::distance;
+    using role = Role;
     using reads = planes<>;
 
     int index;
@@ -31,14 +32,28 @@ struct looked_up {
     }
 };
 
-template <class Inner>
-bool same_distance(const Inner& a, const Inner& b) {
-    if constexpr (std::equality_comparable<Inner>) return a == b;
+template <class A, class B>
+bool same_policy(const A& a, const B& b) {
+    if constexpr (std::is_same_v<A, B> && std::equality_comparable<A>) return a == b;
     else return false;
 }
-template <class A, class B>
-bool same_distance(const A&, const B&) {
-    return false;
+
+/// The outermost patches of several expressions, and the expressions with these looked up instead.
+template <class... Node>
+constexpr auto patches_in(const std::tuple<Node...>& nodes) {
+    return std::apply([](const auto&... node) { return std::tuple_cat(collect<is_patch>(node)...); }, nodes);
+}
+template <class... Node>
+constexpr auto without_patches(const std::tuple<Node...>& nodes) {
+    int index = 0;
+    const auto replace = [&index](const auto& patch) {
+        return looked_up<typename std::remove_cvref_t<decltype(patch)>::role>{index++};
+    };
+    return std::apply(
+        [&](const auto&... node) {
+            return std::tuple<decltype(rewrite<is_patch>(node, replace))...>{rewrite<is_patch>(node, replace)...};
+        },
+        nodes);
 }
 
 /// row(0) + row(1) + ... + row(count - 1), added as a balanced tree: one order for each count, whatever the pixel.
@@ -50,106 +65,130 @@ WINNOW_HD lanes tree_sum(const Row& row, int first = 0) {
 
 }  // namespace detail
 
-/// The patches of a sweep.  Those over the same distance share its evaluation.
-template <class Reads, class... Patch>
-class prepared_patches {
+/// The offsets (first .. last - 1, dy).
+struct offset_group {
+    int first, last, dy;
+
+    int size() const { return last - first; }
+};
+
+/// Means over patches around the pixels of a tile, for a group of offsets, row by row.  Patches over the same policy
+/// share its evaluation; what is inside a patch may hold patches itself.
+template <class Reads, class Patches>
+class prepared_patches;
+
+template <class Reads>
+class prepared_patches<Reads, std::tuple<>> {
 public:
-    using reads = Reads;
-    static constexpr int count = sizeof...(Patch);
+    prepared_patches(const std::tuple<>&, extent, extent, int, border) {}
 
-    template <class Sweep>
-    prepared_patches(const Sweep& sweep, extent size, extent tile, int group)
-        : patches_(patches_of(sweep)), size_(size), tile_(tile), group_(group), rule_(sweep.rule) {
-        std::apply([&](const auto&... p) { ((radius_ = std::max(radius_, p.radius)), ...); }, patches_);
-    }
+    int reach() const { return 0; }
+    std::size_t floats() const { return 0; }
+    prepared at(const float*, int, int) const { return {}; }
+    void start(rectangle, offset_group, float*) const {}
+    void row(const staged_tile&, rectangle, offset_group, int, float*) const {}
+};
 
-    /// The largest radius of a patch.
-    int radius() const { return radius_; }
+template <class Reads, class... Patch>
+class prepared_patches<Reads, std::tuple<Patch...>> {
+public:
+    /// For tiles up to this size, and up to `group` offsets at a time.
+    prepared_patches(const std::tuple<Patch...>& patches, extent size, extent tile, int group, border rule)
+        : patches_(patches),
+          evaluated_(detail::without_patches(inner_of(patches))),
+          radius_(std::apply([](const auto&... p) { return std::max({p.radius...}); }, patches)),
+          inner_(detail::patches_in(inner_of(patches)), size,
+                 rectangle{0, 0, tile.width, tile.height}.grown(radius_).size(), group, rule),
+          size_(size),
+          tile_(tile),
+          group_(group),
+          rule_(rule) {}
 
-    /// Memory for a group of offsets: the distances of one row of pixels, then what it takes to work them out.
-    std::size_t floats() const {
-        if constexpr (count == 0) return 0;
-        return 2 * result_floats() + ring_floats() + width();
-    }
+    /// How far around a tile it looks: the largest patch of each level.
+    int reach() const { return radius_ + inner_.reach(); }
 
-    /// The weights with every patch replaced by what prepare() worked out for it.
-    template <class Weights>
-    static auto rewritten(const Weights& weights) {
-        int index = 0;
-        const auto replace = [&index](const auto&) { return detail::looked_up{index++}; };
-        return std::apply(
-            [&](const auto&... w) {
-                return std::tuple<decltype(rewrite<detail::is_patch>(w, replace))...>{
-                    rewrite<detail::is_patch>(w, replace)...};
-            },
-            weights);
-    }
+    /// Memory for a group of offsets: the means of one row of pixels, then what it takes to work them out.
+    std::size_t floats() const { return own_floats() + inner_.floats(); }
 
-    /// Where the distances of the i-th offset of the group lie for the x-th pixel of the row.
+    /// Where the means at the i-th offset of the group lie for the x-th pixel of the row.
     prepared at(const float* memory, int i, int x) const {
         return {memory + std::ptrdiff_t{i} * count * width() + x, width()};
     }
 
-    /// Starts a group of offsets (first .. last - 1, dy).
-    void start(rectangle tile, int first, int last, float* memory) const {
-        for_each([&](const auto& patch, int index) {
-            for (int dx = first; dx < last; ++dx)
+    /// Starts a group of offsets.
+    void start(rectangle tile, offset_group offsets, float* memory) const {
+        for_each([&](const auto& patch, const auto&, int index) {
+            for (int i = 0; i < offsets.size(); ++i)
                 for (int x = 0; x < tile.x1 - tile.x0; ++x)
-                    share(memory, dx - first, index)[x] = 1.0f / pairs(tile.x0 + x, dx, patch.radius, size_.width);
+                    share(memory, i, index)[x] =
+                        1.0f / pairs(tile.x0 + x, offsets.first + i, patch.radius, size_.width);
         });
+        inner_.start(tile.grown(radius_), offsets, memory + own_floats());
     }
 
-    /// Evaluates the inner distances of row y of the image; rows come one by one, from radius() above the tile to
-    /// radius() below it.
-    void add_row(const staged_tile& staged, rectangle tile, int first, int last, int dy, int y, float* memory) const {
-        for_leaders([&](const auto& patch, int index) {
-            const int pixels = tile.x1 - tile.x0 + 2 * radius_;
-            const bool masked = rule_ == border::clip && !covered(tile, first, last, dy, y);
-            const std::ptrdiff_t next = ring_size();
-            for (int x = 0; x < pixels; x += lanes::size) {
-                const float* p = staged.at(0, tile.x0 - radius_ + x, y);
-                const float* q = p + dy * staged.step.row;
-                float* to = ring(memory, 0, index, y) + x;
-                for (int i = 0; i < last - first; ++i)
-                    patch.inner(pixel_pair<lanes, Reads>(p, q + first + i, staged.step, first + i, dy))
-                        .store(to + i * next);
-                if (masked)  // a pair that does not exist adds nothing
-                    for (int i = 0; i < last - first; ++i)
-                        (lanes::load(to + i * next) * (lanes::load(p) * lanes::load(q + first + i)))
-                            .store(to + i * next);
-            }
-        });
-    }
-
-    /// Sums over the patches around row y, once all their rows are there; divides by the number of pairs that exist.
-    void sum_row(rectangle tile, int first, int last, int dy, int y, float* memory) const {
-        for_each([&](const auto& patch, int index) {
+    /// Works out the means of row y of the tile; rows are asked for one after the other, from the first on.
+    void row(const staged_tile& staged, rectangle tile, offset_group offsets, int y, float* memory) const {
+        for (int k = y == tile.y0 ? y - radius_ : y + radius_; k <= y + radius_; ++k)
+            add_row(staged, tile, offsets, k, memory);
+        for_each([&](const auto& patch, const auto&, int index) {
+            const int from = leader(patch, index);
             switch (patch.radius) {
                 case 1:
-                    return sum_row_of<1>(1, index, leader(patch, index), tile, last - first, dy, y, memory);
+                    return sum_row<1>(1, index, from, tile, offsets, y, memory);
                 case 2:
-                    return sum_row_of<2>(2, index, leader(patch, index), tile, last - first, dy, y, memory);
+                    return sum_row<2>(2, index, from, tile, offsets, y, memory);
                 case 3:
-                    return sum_row_of<3>(3, index, leader(patch, index), tile, last - first, dy, y, memory);
+                    return sum_row<3>(3, index, from, tile, offsets, y, memory);
                 default:
-                    return sum_row_of<0>(patch.radius, index, leader(patch, index), tile, last - first, dy, y, memory);
+                    return sum_row<0>(patch.radius, index, from, tile, offsets, y, memory);
             }
         });
     }
 
 private:
+    static constexpr int count = sizeof...(Patch);
+
+    static constexpr auto inner_of(const std::tuple<Patch...>& patches) {
+        return std::apply([](const auto&... p) { return std::tuple<typename Patch::prepares...>(p.inner...); },
+                          patches);
+    }
+
+    /// Evaluates what is inside the patches for row y, for the pixels of the tile and radius_ beyond.
+    void add_row(const staged_tile& staged, rectangle tile, offset_group offsets, int y, float* memory) const {
+        inner_.row(staged, tile.grown(radius_), offsets, y, memory + own_floats());
+        for_each([&](const auto& patch, const auto& evaluated, int index) {
+            if (leader(patch, index) != index) return;
+            const int pixels = tile.x1 - tile.x0 + 2 * radius_;
+            const bool masked = rule_ == border::clip && !covered(tile, offsets, y);
+            const std::ptrdiff_t next = ring_size();
+            for (int x = 0; x < pixels; x += lanes::size) {
+                const float* p = staged.at(0, tile.x0 - radius_ + x, y);
+                const float* q = p + offsets.first + offsets.dy * staged.step.row;
+                float* to = ring(memory, 0, index, y) + x;
+                for (int i = 0; i < offsets.size(); ++i)
+                    evaluated(pixel_pair<lanes, Reads>(p, q + i, staged.step, offsets.first + i, offsets.dy,
+                                                       inner_.at(memory + own_floats(), i, x)))
+                        .store(to + i * next);
+                if (masked)  // a pair that does not exist adds nothing
+                    for (int i = 0; i < offsets.size(); ++i)
+                        (lanes::load(to + i * next) * (lanes::load(p) * lanes::load(q + i))).store(to + i * next);
+            }
+        });
+    }
+
+    /// Sums over the patches around row y, once all their rows are there; divides by the number of pairs that exist.
     /// Unrolled is the radius where it is one of the usual ones, else 0.
     template <int Unrolled>
-    void sum_row_of(int radius, int index, int from, rectangle tile, int offsets, int dy, int y, float* memory) const {
+    void sum_row(int radius, int index, int from, rectangle tile, offset_group offsets, int y, float* memory) const {
         const int pixels = tile.x1 - tile.x0;
-        const lanes rows(1.0f / pairs(y, dy, radius, size_.height));
+        const lanes rows(1.0f / pairs(y, offsets.dy, radius, size_.height));
         const auto sum = [&](const auto& row) {
             lanes s = detail::tree_sum<2 * Unrolled + 1>(row);
             if constexpr (Unrolled == 0)
                 for (int k = 1; k <= 2 * radius; ++k) s = s + row(k);
             return s;
         };
-        for (int i = 0; i < offsets; ++i) {
+        for (int i = 0; i < offsets.size(); ++i) {
             float* const columns = memory + 2 * result_floats() + ring_floats();
             const float* row[2 * Unrolled + 1];
             for (int k = 0; k <= 2 * Unrolled; ++k) row[k] = ring(memory, i, from, y - radius + k);
@@ -186,34 +225,22 @@ private:
         return memory + 2 * result_floats() + i * ring_size() + (std::ptrdiff_t{index} * rows + place) * width();
     }
 
-    template <class Sweep>
-    static auto patches_of(const Sweep& sweep) {
-        return std::apply([](const auto&... w) { return std::tuple_cat(collect<detail::is_patch>(w)...); },
-                          sweep.weights);
-    }
+    std::size_t own_floats() const { return 2 * result_floats() + ring_floats() + width(); }
 
+    /// f(patch, what is evaluated inside it, index).
     template <class F>
     void for_each(const F& f) const {
-        std::apply(
-            [&](const auto&... patch) {
-                [[maybe_unused]] int index = 0;
-                (f(patch, index++), ...);
-            },
-            patches_);
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (f(std::get<I>(patches_), std::get<I>(evaluated_), static_cast<int>(I)), ...);
+        }
+        (std::index_sequence_for<Patch...>{});
     }
-    /// The first of the patches over each distance.
-    template <class F>
-    void for_leaders(const F& f) const {
-        for_each([&](const auto& patch, int index) {
-            if (leader(patch, index) == index) f(patch, index);
-        });
-    }
-    /// Index of the first patch over the same distance as patch `index`.
+    /// Index of the first patch over the same policy as patch `index`.
     template <class P>
     int leader(const P& patch, int index) const {
         int found = index;
-        for_each([&](const auto& other, int i) {
-            if (i < found && detail::same_distance(other.inner, patch.inner)) found = i;
+        for_each([&](const auto& other, const auto&, int i) {
+            if (i < found && detail::same_policy(other.inner, patch.inner)) found = i;
         });
         return found;
     }
@@ -227,32 +254,24 @@ private:
     }
 
     /// Whether both ends of every pair that row y of the tile and its patches asks for are inside the image.
-    bool covered(rectangle tile, int first, int last, int dy, int y) const {
-        return std::min(y, y + dy) >= 0 && std::max(y, y + dy) < size_.height &&
-               tile.x0 - radius_ + std::min(first, 0) >= 0 && tile.x1 + radius_ + std::max(last - 1, 0) <= size_.width;
+    bool covered(rectangle tile, offset_group offsets, int y) const {
+        return std::min(y, y + offsets.dy) >= 0 && std::max(y, y + offsets.dy) < size_.height &&
+               tile.x0 - radius_ + std::min(offsets.first, 0) >= 0 &&
+               tile.x1 + radius_ + std::max(offsets.last - 1, 0) <= size_.width;
     }
 
     std::tuple<Patch...> patches_;
+    decltype(detail::without_patches(inner_of(std::declval<std::tuple<Patch...>>()))) evaluated_;
+    int radius_;  ///< the largest of the patches
+    prepared_patches<Reads, decltype(detail::patches_in(inner_of(std::declval<std::tuple<Patch...>>())))> inner_;
     extent size_, tile_;
     int group_;
     border rule_;
-    int radius_ = 0;  ///< the largest of the patches
 };
 
-namespace detail {
-template <class Reads, class Patches>
-struct prepared_for;
-template <class Reads, class... Patch>
-struct prepared_for<Reads, std::tuple<Patch...>> {
-    using type = prepared_patches<Reads, Patch...>;
-};
-}  // namespace detail
-
+/// The patches of a sweep.
 template <class Sweep>
 using prepared_patches_of =
-    typename detail::prepared_for<typename Sweep::reads,
-                                  decltype(std::apply(
-                                      [](const auto&... w) { return std::tuple_cat(collect<detail::is_patch>(w)...); },
-                                      std::declval<const Sweep&>().weights))>::type;
+    prepared_patches<typename Sweep::reads, decltype(detail::patches_in(std::declval<const Sweep&>().weights))>;
 
 }  // namespace winnow

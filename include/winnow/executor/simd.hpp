@@ -42,23 +42,20 @@ struct offset_major {
         stage(sweep, buffers, staged);
         std::fill(memory.sums, memory.sums + memory.sums_count, 0.0f);
 
-        const prepared_patches_of<Sweep> ahead(sweep, buffers.size, memory.tile, group);
-        const auto weights = ahead.rewritten(sweep.weights);
+        const auto ahead = patches_of(sweep, buffers, memory.tile);
+        const auto weights = detail::without_patches(sweep.weights);
         const int values = static_cast<int>(buffers.values.size());
         const int reach = window_reach(sweep, buffers.size);
         for (int dy = -reach; dy <= reach; ++dy) {
             const int half = window_half_width(sweep, buffers.size, dy);
             const int groups = detail::ceil_div(2 * half + 1, group);
             for (int g = 0; g < groups; ++g) {
-                const int first = -half + (2 * half + 1) * g / groups;
-                const int last = -half + (2 * half + 1) * (g + 1) / groups;
-                const int above = ahead.radius();
-                ahead.start(tile, first, last, memory.patches);
-                for (int y = tile.y0 - above; y < tile.y1 + above; ++y) {
-                    ahead.add_row(staged, tile, first, last, dy, y, memory.patches);
-                    if (y < tile.y0 + above) continue;
-                    ahead.sum_row(tile, first, last, dy, y - above, memory.patches);
-                    accumulate(weights, values, memory, staged, tile, y - above, first, last, dy, ahead);
+                const offset_group offsets{-half + (2 * half + 1) * g / groups,
+                                           -half + (2 * half + 1) * (g + 1) / groups, dy};
+                ahead.start(tile, offsets, memory.patches);
+                for (int y = tile.y0; y < tile.y1; ++y) {
+                    ahead.row(staged, tile, offsets, y, memory.patches);
+                    accumulate<Sweep>(weights, values, memory, staged, tile, offsets, y, ahead);
                 }
             }
         }
@@ -82,7 +79,8 @@ private:
     parts memory_of(const Sweep& sweep, const sweep_buffers& buffers, std::byte* base) const {
         parts m;
         m.tile = tile_size(sweep, buffers);
-        m.margin = winnow::margin(sweep, buffers.size);
+        const auto ahead = patches_of(sweep, buffers, m.tile);
+        m.margin = std::max(winnow::margin(sweep, buffers.size), window_reach(sweep, buffers.size) + ahead.reach());
         const int values = static_cast<int>(buffers.values.size());
         // A batch may start at the last pixel of the region.  Rows an odd number of cache lines apart spread over the
         // sets of the cache.
@@ -99,25 +97,31 @@ private:
         m.planes = take(m.step.row * (m.tile.height + 2 * m.margin) + lanes::size);
         m.sums_count = static_cast<std::ptrdiff_t>(Sweep::count) * (1 + values) * m.tile.width * m.tile.height;
         m.sums = take(m.sums_count);
-        m.patches = take(prepared_patches_of<Sweep>(sweep, buffers.size, m.tile, group).floats());
+        m.patches = take(ahead.floats());
         m.bytes = offset;
         return m;
     }
 
-    /// Adds the neighbours at offsets (first .. last - 1, dy) to the sums of row y.
-    template <class Weights, class Ahead>
+    template <class Sweep>
+    static prepared_patches_of<Sweep> patches_of(const Sweep& sweep, const sweep_buffers& buffers, extent tile) {
+        return {detail::patches_in(sweep.weights), buffers.size, tile, group, sweep.rule};
+    }
+
+    /// Adds the neighbours at the offsets to the sums of row y.
+    template <class Sweep, class Weights, class Ahead>
     static void accumulate(const Weights& weights, int values, const parts& memory, const staged_tile& staged,
-                           rectangle tile, int y, int first, int last, int dy, const Ahead& ahead) {
-        using pair = pixel_pair<lanes, typename Ahead::reads>;
+                           rectangle tile, offset_group offsets, int y, const Ahead& ahead) {
+        using reads = typename Sweep::reads;
         for (int x = 0; x < tile.x1 - tile.x0; x += lanes::size) {
             const float* p = staged.at(0, tile.x0 + x, y);
-            const float* q = p + dy * staged.step.row + first;
+            const float* q = p + offsets.first + offsets.dy * staged.step.row;
             float* sum = memory.sums + (y - tile.y0) * memory.tile.width + x;
             const auto add = [&](const auto& weight) {
                 lanes w[group];
-                for (int i = 0; i < last - first; ++i)
-                    w[i] = weight(pair(p, q + i, staged.step, first + i, dy, ahead.at(memory.patches, i, x)));
-                sum = add_neighbours(w, last - first, q, Ahead::reads::count, values, memory, sum);
+                for (int i = 0; i < offsets.size(); ++i)
+                    w[i] = weight(pixel_pair<lanes, reads>(p, q + i, staged.step, offsets.first + i, offsets.dy,
+                                                           ahead.at(memory.patches, i, x)));
+                sum = add_neighbours(w, offsets.size(), q, reads::count, values, memory, sum);
             };
             std::apply([&](const auto&... weight) { (add(weight), ...); }, weights);
         }

@@ -36,13 +36,14 @@ struct sweep_buffers {
 };
 
 namespace detail {
+/// How far beyond p and q an expression looks: a patch within a patch, as far as both together.
 template <class Node>
 int reach_of(const Node& node) {
     int reach = 0;
-    visit(node, [&](const auto& part) {
-        // A patch within a patch looks as far as both together.
-        if constexpr (requires { part.reach(); }) reach += part.reach();
-    });
+    if constexpr (composite<Node>)
+        node.decompose(
+            [&](const auto&, const auto&... operands) { ((reach = std::max(reach, reach_of(operands))), ...); });
+    if constexpr (requires { node.reach(); }) reach += node.reach();
     return reach;
 }
 
