@@ -132,6 +132,11 @@ std::vector<filter_entry> all_filters() {
     using J = paper::joint_bilateral_numbers;
     using N = paper::nlm_2012_numbers;
     using R = paper::rdfc_candidate_numbers;
+    const std::vector<knob<N>> nlm_numbers{
+        {"radius", &N::radius, 0, 100, "of the window, in pixels"},
+        {"patch_radius", &N::patch_radius, 0, 20, "of the surroundings, in pixels"},
+        {"k", &N::k, 1e-3, 1e3, "larger filters more"},
+        {"epsilon", &N::epsilon, 0, 1, "variance below which a difference is real, over the squared mean"}};
     return {
         entry<B>("bilateral", "averages neighbours of like colour", {"color"}, false,
                  {{"radius", &B::radius, 0, 100, "of the window, in pixels"},
@@ -145,14 +150,17 @@ std::vector<filter_entry> all_filters() {
                   {"sigma_albedo", &J::sigma_albedo, 0, 1e6, "in units of the albedo"},
                   {"sigma_normal", &J::sigma_normal, 0, 1e6, "in units of the normal"}},
                  [](const J& n, double) { return paper::make_joint_bilateral(n); }),
-        entry<N>("nlm", "averages neighbours whose surroundings are alike but for noise", {"color", "halves"}, false,
-                 {{"radius", &N::radius, 0, 100, "of the window, in pixels"},
-                  {"patch_radius", &N::patch_radius, 0, 20, "of the surroundings, in pixels"},
-                  {"k", &N::k, 1e-3, 1e3, "larger filters more"},
-                  {"epsilon", &N::epsilon, 0, 1, "variance below which a difference is real, over the squared mean"}},
+        entry<N>("nlm", "averages neighbours whose surroundings are alike but for noise", {"color", "variance"}, false,
+                 nlm_numbers,
                  [](N n, double squared_mean) {
                      n.epsilon = relative(n.epsilon, squared_mean);
-                     return paper::make_nlm_2012(n);
+                     return paper::make_nlm(n);
+                 }),
+        entry<N>("nlm_dual", "as nlm, but each half of the samples with weights from the other", {"color", "halves"},
+                 false, nlm_numbers,
+                 [](N n, double squared_mean) {
+                     n.epsilon = relative(n.epsilon, squared_mean);
+                     return paper::make_nlm_2012_released(n);
                  }),
         entry<R>("rdfc_candidate", "as nlm, but never across an edge of albedo, normal or depth",
                  {"color", "variance", "albedo", "normal", "depth"}, true,

@@ -11,6 +11,9 @@ static_assert(
     std::is_same_v<paper::nlm, decltype(filter{exponential(patch(noise_normalized(color, {.k = 0.45f}), {.radius = 3})),
                                                window::square{.radius = 10}})>);
 static_assert(std::is_same_v<paper::nlm_2012, decltype(dual_buffer{paper::make_nlm()})>);
+static_assert(std::is_same_v<paper::nlm_2012_released,
+                             decltype(dual_buffer{filter{patch_mean(exponential(patch(noise_normalized(color)))),
+                                                         window::square{.radius = 10}}})>);
 static_assert(paper::make_nlm({.radius = 5, .patch_radius = 2, .k = 1, .epsilon = 1e-8f}) ==
               filter{exponential(patch(noise_normalized(color, {.k = 1, .epsilon = 1e-8f}), {.radius = 2})),
                      window::square{.radius = 5}});
@@ -20,7 +23,9 @@ namespace {
 
 any_filter plain(paper::nlm_2012_numbers n) { return erased(paper::make_nlm(n)); }
 any_filter dual(paper::nlm_2012_numbers n) { return erased(paper::make_nlm_2012(n)); }
-const std::vector<any_filter> both = {plain({.radius = 3, .patch_radius = 1}), dual({.radius = 3, .patch_radius = 1})};
+any_filter released(paper::nlm_2012_numbers n) { return erased(paper::make_nlm_2012_released(n)); }
+const std::vector<any_filter> all = {plain({.radius = 3, .patch_radius = 1}), dual({.radius = 3, .patch_radius = 1}),
+                                     released({.radius = 3, .patch_radius = 1})};
 
 constexpr extent size{35, 23};
 constexpr executor_kind kinds[] = {executor_kind::serial_double, executor_kind::simd};
@@ -33,28 +38,28 @@ buffers without_variance(buffers in) {
 }  // namespace
 
 TEST_CASE("non-local means: a constant is a fixed point") {
-    for (const any_filter& f : both) check_constant(f);
+    for (const any_filter& f : all) check_constant(f);
 }
 TEST_CASE("non-local means: no weight exceeds the centre's, even where noise explains more than is seen") {
-    for (const any_filter& f : both) check_weights(f, 3);
+    for (const any_filter& f : all) check_weights(f, 3);
 }
 TEST_CASE("non-local means: results stay within the values of the window") {
-    for (const any_filter& f : both) check_convex(f, 3);
+    for (const any_filter& f : all) check_convex(f, 3);
 }
 TEST_CASE("non-local means: flips, transposition and turns commute") {
-    for (const any_filter& f : both) check_equivariant(f);
+    for (const any_filter& f : all) check_equivariant(f);
 }
 TEST_CASE("non-local means: the unit of radiance does not matter, where epsilon is in that unit") {
-    for (const auto make : {plain, dual})
+    for (const auto make : {plain, dual, released})
         check_scaling([make](double a) {
             return make({.radius = 3, .patch_radius = 1, .epsilon = static_cast<float>(1e-10 * a * a)});
         });
 }
 TEST_CASE("non-local means: neither the identity nor the plain mean") {
-    for (const any_filter& f : both) check_useful(f, 3);
+    for (const any_filter& f : all) check_useful(f, 3);
 }
 TEST_CASE("non-local means: hazards") {
-    for (const any_filter& f : both) check_hazards(f);
+    for (const any_filter& f : all) check_hazards(f);
 }
 
 TEST_CASE("non-local means: without variance and without equal patches, the input, bit for bit") {
@@ -68,7 +73,7 @@ TEST_CASE("non-local means: without variance and without equal patches, the inpu
 TEST_CASE("non-local means: a large k gives the box mean") {
     const buffers in = make_buffers(size);
     for (const executor_kind kind : kinds)
-        for (const auto make : {plain, dual})
+        for (const auto make : {plain, dual, released})
             CHECK(beyond(2e-6 * largest_magnitude(in.half_a),
                          make({.radius = 3, .patch_radius = 1, .k = 1e4f}).images(in.layers(), size, {kind})[0],
                          box_mean(in.color, 3)) == "");

@@ -13,6 +13,7 @@ any_filter erased(const paper::joint_bilateral& f);
 any_filter erased(const paper::bilateral& f);
 any_filter erased(const paper::nlm& f);
 any_filter erased(const paper::nlm_2012& f);
+any_filter erased(const paper::nlm_2012_released& f);
 any_filter erased(const paper::rdfc_candidate& f);
 
 }  // namespace winnow::test

@@ -26,27 +26,30 @@ inline const distances distance_examples{spatial,
                                          noise_normalized(color) + spatial};
 
 using weights = std::tuple<
-    weight::gaussian<distance::spatial>,                                        //
-    weight::gaussian<distance::noise_normalized<color_t>>,                      //
-    weight::exponential<distance::squared_difference<albedo_t>>,                //
-    weight::exponential<distance::patch<distance::noise_normalized<color_t>>>,  //
-    weight::cutoff<distance::spatial>,                                          //
-    weight::cutoff<distance::noise_normalized<color_t>>,                        //
+    weight::gaussian<distance::spatial>,                                                            //
+    weight::gaussian<distance::noise_normalized<color_t>>,                                          //
+    weight::exponential<distance::squared_difference<albedo_t>>,                                    //
+    weight::exponential<distance::patch<distance::noise_normalized<color_t>>>,                      //
+    weight::cutoff<distance::spatial>,                                                              //
+    weight::cutoff<distance::noise_normalized<color_t>>,                                            //
+    weight::patch_mean<weight::exponential<distance::patch<distance::noise_normalized<color_t>>>>,  //
     weight::min_of<weight::exponential<distance::noise_normalized<color_t>>,
                    weight::exponential<distance::cross_feature<normal_t>>>,                                          //
     weight::min_of<weight::cutoff<distance::spatial>, weight::gaussian<distance::squared_difference<albedo_t>>>,     //
     weight::product_of<weight::gaussian<distance::spatial>, weight::exponential<distance::cross_feature<depth_t>>>,  //
     weight::product_of<weight::gaussian<distance::squared_difference<color_t>>, weight::cutoff<distance::spatial>>>;
-inline const weights weight_examples{gaussian(spatial, 1.5f),
-                                     gaussian(noise_normalized(color), 0.7f),
-                                     exponential(l2(albedo)),
-                                     exponential(patch(noise_normalized(color), {.radius = 1})),
-                                     cutoff(spatial, 2),
-                                     cutoff(noise_normalized(color), 0.5f),
-                                     min(exponential(noise_normalized(color)), exponential(cross(normal))),
-                                     min(cutoff(spatial, 4), gaussian(l2(albedo), 0.3f)),
-                                     gaussian(spatial, 2) * exponential(cross(depth)),
-                                     gaussian(l2(color), 0.5f) * cutoff(spatial, 4)};
+inline const weights weight_examples{
+    gaussian(spatial, 1.5f),
+    gaussian(noise_normalized(color), 0.7f),
+    exponential(l2(albedo)),
+    exponential(patch(noise_normalized(color), {.radius = 1})),
+    cutoff(spatial, 2),
+    cutoff(noise_normalized(color), 0.5f),
+    patch_mean(exponential(patch(noise_normalized(color), {.radius = 1})), {.radius = 1}),
+    min(exponential(noise_normalized(color)), exponential(cross(normal))),
+    min(cutoff(spatial, 4), gaussian(l2(albedo), 0.3f)),
+    gaussian(spatial, 2) * exponential(cross(depth)),
+    gaussian(l2(color), 0.5f) * cutoff(spatial, 4)};
 
 using windows = std::tuple<window::square, window::disk>;
 inline constexpr windows window_examples{{.radius = 3}, {.radius = 4}};

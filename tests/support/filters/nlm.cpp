@@ -9,6 +9,7 @@ namespace winnow::test {
 
 any_filter erased(const paper::nlm& f) { return erase("nlm", f); }
 any_filter erased(const paper::nlm_2012& f) { return erase("nlm dual buffer", f); }
+any_filter erased(const paper::nlm_2012_released& f) { return erase("nlm dual buffer, as released", f); }
 
 any_filter nlm(filter_numbers n) {
     return erased(paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius}).with(n.border));
@@ -22,6 +23,11 @@ any_filter nlm_with_error(filter_numbers n) {
 
 any_filter nlm_dual_buffer(filter_numbers n) {
     return erased(dual_buffer{paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius}).with(n.border)});
+}
+
+any_filter nlm_as_released(filter_numbers n) {
+    return erased(dual_buffer{
+        paper::make_nlm_2012_released({.radius = n.radius, .patch_radius = n.patch_radius}).filter.with(n.border)});
 }
 
 }  // namespace winnow::test
