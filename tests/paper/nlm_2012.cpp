@@ -65,8 +65,8 @@ TEST_CASE("non-local means: hazards") {
 TEST_CASE("non-local means: without variance and without equal patches, the input, bit for bit") {
     const buffers in = without_variance(make_buffers(size));
     for (const executor_kind kind : kinds) {
-        CHECK(other_bits(both[0].images(in.layers(), size, {kind})[0], in.color) == "");
-        CHECK(other_bits(both[1].images(in.layers(), size, {kind})[0], in.color) == "");
+        CHECK(other_bits(all[0].images(in.layers(), size, {kind})[0], in.color) == "");
+        CHECK(other_bits(all[1].images(in.layers(), size, {kind})[0], in.color) == "");
     }
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("non-local means: without variance only equal patches are averaged") {
     std::vector<image<>> share(2, image<>(size));
     const image<> lit = fill(size, 1, [](int x, int y, int) { return x == 17 && y == 11; });
     for (const executor_kind kind : kinds) {
-        both[0](in.layers(), output{}.layer(lit.view(), share[0].view()), {kind});
+        all[0](in.layers(), output{}.layer(lit.view(), share[0].view()), {kind});
         CHECK(share[0].at(17, 11) == 1);  // windows of radius 3 do not reach the next equal column
         plain({.radius = 4, .patch_radius = 1})(in.layers(), output{}.layer(lit.view(), share[1].view()), {kind});
         for (const int x : {13, 17, 21}) CHECK(share[1].at(x, 11) == Approx(1.0 / 3).epsilon(1e-6));
