@@ -41,6 +41,7 @@ int main() {
     const filter within_object{gaussian(spatial, 3.0f) * cutoff(mine::other_object{}, 0.5f)};
     within_object(frame{color = rgb.view(), mine::object = objects.view()}, result, executor::openmp{});
 
-    std::printf("left of the edge %.3f (1 without noise), right of it %.3f (2)\n", result.at(29, 24), result.at(30, 24));
+    std::printf("left of the edge %.3f (1 without noise), right of it %.3f (2)\n", result.at(29, 24),
+                result.at(30, 24));
     return result.at(29, 24) < 1.1f && result.at(30, 24) > 1.9f ? 0 : 1;
 }

@@ -122,10 +122,9 @@ struct renders {
     io::exr_image result() const { return io::read_exr(in / "out.exr"); }
 };
 
-const std::vector<std::string> all_filters{"bilateral --set radius=4", "joint_bilateral --set radius=4",
-                                           "nlm --set radius=4 --set patch_radius=2",
-                                           "nlm_dual --set radius=4 --set patch_radius=2",
-                                           "rdfc_candidate --set radius=4 --set patch_radius=1"};
+const std::vector<std::string> all_filters{
+    "bilateral --set radius=4", "joint_bilateral --set radius=4", "nlm --set radius=4 --set patch_radius=2",
+    "nlm_dual --set radius=4 --set patch_radius=2", "rdfc_candidate --set radius=4 --set patch_radius=1"};
 
 /// How many pixels differ, of those for which where(x, y).
 int differing(const source& a, const source& b, const std::function<bool(int, int)>& where) {
