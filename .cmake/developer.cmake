@@ -14,7 +14,7 @@ if(WINNOW_NATIVE)
   target_compile_options(winnow-developer INTERFACE -march=native)
 endif()
 if(WINNOW_SANITIZE)
-  target_compile_options(winnow-developer INTERFACE -fsanitize=${WINNOW_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+  target_compile_options(winnow-developer INTERFACE -fsanitize=${WINNOW_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(winnow-developer INTERFACE -fsanitize=${WINNOW_SANITIZE})
 endif()
 # winnow's own headers are not system headers here: their warnings count.
