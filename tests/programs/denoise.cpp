@@ -145,7 +145,7 @@ bool same_channels(const io::exr_image& a, const io::exr_image& b, const std::ve
 
 }  // namespace
 
-TEST_CASE("--list names every filter at the beginning of a line, with its layers and numbers") {
+TEST_CASE("the list names every filter at the beginning of a line, with its layers and numbers") {
     const outcome o = denoise("--list");
     CHECK(o.code == 0);
     for (const char* name : {"bilateral ", "joint_bilateral ", "nlm ", "nlm_dual ", "rdfc_candidate "})
@@ -307,7 +307,7 @@ TEST_CASE("layers that add up to the colour still do when they are filtered with
 
 TEST_CASE("bad pixels are counted, located and contained") {
     const renders r;
-    const int px = 12, py = 14, reach = 4 + 2 + 1 + 1;  // window, patch, mending, the box of the variance
+    const int px = 12, py = 14, reach = 4 + 2 + 2 + 1 + 1;  // window, patch, its weights' mean, mending, variance
     for (const std::string& filter : all_filters) {
         INFO(filter);
         r.run(r.pair + " --filter " + filter);
@@ -417,8 +417,8 @@ TEST_CASE("bad input is refused in one line that names file, layer and sizes") {
               ": joint_bilateral needs albedo, which is not there (layers: B, G, R); name it with --map albedo=LAYER");
     CHECK(r.refusal(r.in.name("a.exr") + " " + r.in.name("bare.exr") + r.to + " --filter bilateral --layers diffuse") ==
           r.in.name("bare.exr") + ": there is no diffuse.B, but " + r.in.name("a.exr") + " has it");
-    CHECK(r.refusal(r.in.name("bare.exr") + r.to + " --filter nlm")
-              .starts_with(r.in.name("bare.exr") + ": nlm needs two halves"));
+    CHECK(r.refusal(r.in.name("bare.exr") + r.to + " --filter nlm_dual")
+              .starts_with(r.in.name("bare.exr") + ": nlm_dual needs two halves"));
     CHECK(r.refusal(r.in.name("a.exr") + r.to + " --filter rdfc_candidate")
               .starts_with(r.in.name("a.exr") + ": rdfc_candidate needs the variance"));
     CHECK(r.refusal(r.in.name("bare.exr") + r.to + " --filter bilateral --error " + r.in.name("e.exr"))
