@@ -89,8 +89,9 @@ int main(int argc, char** argv) {
         run_opencv(s, color, disk21,
                    [&](cv::Mat& out) { cv::ximgproc::jointBilateralFilter(albedo_guide, color, out, 21, 0.1, 5.0); });
     });
-    add("winnow bilateral, disk of diameter 21",
-        [](benchmark::State& s) { run(s, paper::make_bilateral().with(window::disk{.radius = 10})); });
+    add("winnow bilateral, disk of diameter 21", [](benchmark::State& s) {
+        run(s, paper::make_bilateral({.sigma_spatial = 5, .sigma_color = 0.3f}).with(window::disk{.radius = 10}));
+    });
     add("OpenCV bilateralFilter, d = 21", [&](benchmark::State& s) {
         run_opencv(s, color, disk21, [&](cv::Mat& out) { cv::bilateralFilter(color, out, 21, 0.3, 5.0); });
     });
