@@ -34,8 +34,7 @@ double by_definition(const image<>& x, const image<>& reference) {
                             const int qx = resolve(border::mirror, px + dx, size.width);
                             const int qy = resolve(border::mirror, py + dy, size.height);
                             const double w = std::exp(-(dx * dx + dy * dy) / 4.5);
-                            total += w * f(metric::tone_mapped(x.at(qx, qy, c)),
-                                           metric::tone_mapped(reference.at(qx, qy, c)));
+                            total += w * f(srgb(x.at(qx, qy, c)), srgb(reference.at(qx, qy, c)));
                             weights += w;
                         }
                     return total / weights;

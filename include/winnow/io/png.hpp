@@ -8,6 +8,7 @@
 #include <vector>
 #include <winnow/core/error.hpp>
 #include <winnow/image/plane.hpp>
+#include <winnow/image/srgb.hpp>
 #include <winnow/io/atomic_file.hpp>
 #if !defined(STB_IMAGE_WRITE_IMPLEMENTATION)
 #define STB_IMAGE_WRITE_STATIC
@@ -26,9 +27,7 @@ struct tone_map {
     float exposure = 0;  ///< in stops
 
     unsigned char operator()(float radiance) const {
-        const float v = std::fmin(std::fmax(radiance * std::exp2(exposure), 0.0f), 1.0f);
-        const float coded = v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
-        return static_cast<unsigned char>(255 * coded + 0.5f);
+        return static_cast<unsigned char>(255 * srgb(radiance * std::exp2(exposure)) + 0.5);
     }
 };
 

@@ -39,10 +39,4 @@ double mean_over_values(const source& x, const source& reference, const F& f) {
     return sum / (static_cast<double>(x.size.pixels()) * x.channels);
 }
 
-/// Linear radiance as a display shows it: cut to [0, 1], then the sRGB curve (IEC 61966-2-1).
-inline double tone_mapped(float linear) {
-    const double cut = linear < 0 ? 0.0 : linear > 1 ? 1.0 : static_cast<double>(linear);
-    return cut <= 0.0031308 ? 12.92 * cut : 1.055 * std::pow(cut, 1 / 2.4) - 0.055;
-}
-
 }  // namespace winnow::metric

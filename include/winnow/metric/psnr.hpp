@@ -2,6 +2,7 @@
 #pragma once
 /// \file
 /// Peak signal-to-noise ratio, as a display shows the images.
+#include <winnow/image/srgb.hpp>
 #include <winnow/metric/compare.hpp>
 
 namespace winnow::metric {
@@ -10,7 +11,7 @@ namespace winnow::metric {
 /// peak is 1.  Infinite for images that look the same; NaN where a value is not finite.
 inline double psnr(source x, source reference) {
     const double error = mean_over_values(x, reference, [](float a, float b) {
-        const double difference = tone_mapped(a) - tone_mapped(b);
+        const double difference = srgb(a) - srgb(b);
         return difference * difference;
     });
     return error == 0 ? std::numeric_limits<double>::infinity() : -10 * std::log10(error);

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 #include <winnow/image/border.hpp>
+#include <winnow/image/srgb.hpp>
 #include <winnow/metric/compare.hpp>
 
 namespace winnow::metric {
@@ -68,7 +69,7 @@ inline double ssim(source x, source reference) {
             for (int i = 0; i < width; ++i) {
                 const float value = a.at(i, j), wanted = b.at(i, j);
                 if (!is_finite(value) || !is_finite(wanted)) return std::numeric_limits<double>::quiet_NaN();
-                pixels[index(i, j)] = {.x = tone_mapped(value), .y = tone_mapped(wanted)};
+                pixels[index(i, j)] = {.x = srgb(value), .y = srgb(wanted)};
             }
         for (int j = 0; j < height; ++j)
             for (int i = 0; i < width; ++i)
