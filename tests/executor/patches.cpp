@@ -10,8 +10,8 @@ TEST_CASE("patches worked out ahead agree with the definition for every patch ra
         for (const int f : {0, 1, 2, 3, 5}) {
             const filter_numbers n{.radius = 2, .patch_radius = f, .border = rule};
             check_agreement({21, 14}, n, {{executor_kind::simd}},
-                            {nlm(n), rdfc_candidate(n), opaque_patch(n), patch_of_patch(n), two_patches(n),
-                             product_with_cutoff(n)});
+                            {nlm(n), rdfc_candidate(n), opaque_patch(n), patch_of_patch(n), mean_of_weights(n),
+                             two_patches(n), product_with_cutoff(n)});
         }
 }
 
@@ -46,7 +46,10 @@ TEST_CASE("the bits of a patch do not depend on which other patches share its di
                 for (std::size_t i = 0; i < parts.size(); ++i) {
                     CAPTURE(together.name, parts[i].name, static_cast<int>(w.kind), static_cast<int>(rule),
                             n.patch_radius);
-                    CHECK(other_bits(all[i], parts[i].images(in.layers(), size, {w.kind})[0]) == "");
+                    const image<> alone = parts[i].images(in.layers(), size, {w.kind})[0];
+                    // Compilers are free to fuse a * b + c of scalars in one place and not in another.
+                    if (w.kind == executor_kind::simd) CHECK(other_bits(all[i], alone) == "");
+                    else CHECK(beyond(1e-6 * largest_magnitude(in.half_a), all[i], alone) == "");
                 }
             };
             check(three_candidates(n), parts_of_three_candidates(n));

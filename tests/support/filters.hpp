@@ -25,9 +25,11 @@ any_filter max_and_sum(filter_numbers n = {});          ///< max and sum of dist
 any_filter disk(filter_numbers n = {});                 ///< a Gaussian blur over a disk
 any_filter opaque_patch(filter_numbers n = {});         ///< a patch hidden in a policy without decompose()
 any_filter patch_of_patch(filter_numbers n = {});
-any_filter two_patches(filter_numbers n = {});        ///< over different distances, of different radii
-any_filter three_candidates(filter_numbers n = {});   ///< sharing a distance in patches of different radii
-any_filter unlike_candidates(filter_numbers n = {});  ///< no patch, a patch, a patch of patches
+any_filter mean_of_weights(filter_numbers n = {});   ///< over a patch, of a weight with a patch
+any_filter two_patches(filter_numbers n = {});       ///< over different distances, of different radii
+any_filter three_candidates(filter_numbers n = {});  ///< sharing a distance in patches of different radii
+any_filter unlike_candidates(
+    filter_numbers n = {});  ///< no patch, a patch, a patch of patches, a patch of hidden patches
 std::vector<any_filter> parts_of_three_candidates(filter_numbers n = {});  ///< the same, one by one
 std::vector<any_filter> parts_of_unlike_candidates(filter_numbers n = {});
 

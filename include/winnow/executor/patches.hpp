@@ -105,7 +105,12 @@ public:
           rule_(rule) {}
 
     /// How far around a tile it looks: the largest patch of each level.
-    int reach() const { return radius_ + inner_.reach(); }
+    int reach() const {
+        // Also of a policy that looks around by itself, without being a patch.
+        const int inner =
+            std::apply([](const auto&... p) { return std::max({detail::reach_of(p.inner)...}); }, patches_);
+        return radius_ + std::max(inner, inner_.reach());
+    }
 
     /// Memory for a group of offsets: the means of one row of pixels, then what it takes to work them out.
     std::size_t floats() const { return own_floats() + inner_.floats(); }

@@ -10,6 +10,7 @@
 #include <winnow/weight/cutoff.hpp>
 #include <winnow/weight/exponential.hpp>
 #include <winnow/weight/gaussian.hpp>
+#include <winnow/weight/patch_mean.hpp>
 #include <winnow/window/disk.hpp>
 
 namespace winnow::test {
@@ -47,6 +48,12 @@ auto wide_patch(filter_numbers n) {
                   window::square{.radius = n.radius}}
         .with(n.border);
 }
+auto opaque_in_patch(filter_numbers n) {
+    return filter{
+        exponential(patch(hidden_patch{patch_with({.patch_radius = 1}).weight.distance}, {.radius = n.patch_radius})),
+        window::square{.radius = n.radius}}
+        .with(n.border);
+}
 }  // namespace
 
 any_filter opaque_patch(filter_numbers n) {
@@ -56,14 +63,23 @@ any_filter opaque_patch(filter_numbers n) {
             n.border));
 }
 
+any_filter mean_of_weights(filter_numbers n) {
+    return erase("mean of weights", filter{patch_mean(exponential(patch(noise_normalized(color), {.radius = 1})),
+                                                      {.radius = n.patch_radius}) *
+                                               gaussian(l2(albedo), 0.3f),
+                                           window::square{.radius = n.radius}}
+                                        .with(n.border));
+}
+
 any_filter patch_of_patch(filter_numbers n) { return erase("patch of patch", nested(n)); }
 
 any_filter unlike_candidates(filter_numbers n) {
-    return erase("unlike candidates", candidates{without_patch(n), wide_patch(n), nested(n)});
+    return erase("unlike candidates", candidates{without_patch(n), wide_patch(n), nested(n), opaque_in_patch(n)});
 }
 
 std::vector<any_filter> parts_of_unlike_candidates(filter_numbers n) {
-    return {erase("without patch", without_patch(n)), erase("wide patch", wide_patch(n)), erase("nested", nested(n))};
+    return {erase("without patch", without_patch(n)), erase("wide patch", wide_patch(n)), erase("nested", nested(n)),
+            erase("opaque in patch", opaque_in_patch(n))};
 }
 
 any_filter product_with_cutoff(filter_numbers n) {
@@ -82,11 +98,12 @@ any_filter two_patches(filter_numbers n) {
 }
 
 std::vector<any_filter> all_filters(filter_numbers n) {
-    return {joint_bilateral(n),  bilateral(n),         nlm(n),
-            nlm_with_error(n),   nlm_dual_buffer(n),   nlm_as_released(n),
-            rdfc_candidate(n),   max_and_sum(n),       disk(n),
-            opaque_patch(n),     patch_of_patch(n),    two_patches(n),
-            three_candidates(n), unlike_candidates(n), product_with_cutoff(n)};
+    return {joint_bilateral(n),    bilateral(n),        nlm(n),
+            nlm_with_error(n),     nlm_dual_buffer(n),  nlm_as_released(n),
+            rdfc_candidate(n),     max_and_sum(n),      disk(n),
+            opaque_patch(n),       patch_of_patch(n),   mean_of_weights(n),
+            two_patches(n),        three_candidates(n), unlike_candidates(n),
+            product_with_cutoff(n)};
 }
 
 std::string to_string(const how& h) {
