@@ -8,14 +8,14 @@
 using namespace winnow;
 using namespace winnow::test;
 
-TEST_CASE("a pool gives the bits of simd on 1, 2, 3 and 7 threads") {
+TEST_CASE("a pool gives the bits of simd on 1, 2, 3 and 7 threads", "[threads]") {
     std::vector<how> hows = {{.kind = executor_kind::simd, .tile = {32, 8}}};
     for (const int threads : {1, 2, 3, 7})
         hows.push_back({.kind = executor_kind::pool, .threads = threads, .tile = {32, 8}});
     for (const border rule : all_borders) check_same_bits({67, 45}, hows, all_filters({.radius = 2, .border = rule}));
 }
 
-TEST_CASE("two filters run at the same time, each with its workspace") {
+TEST_CASE("two filters run at the same time, each with its workspace", "[threads]") {
     const extent size{61, 40};
     const buffers in = make_buffers(size);
     const std::array<any_filter, 2> filters = {nlm(), rdfc_candidate()};

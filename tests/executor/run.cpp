@@ -89,7 +89,7 @@ TEST_CASE("the plan counts the halves and further layers") {
     CHECK(memory.tiles.size() == f.plan(size, {executor_kind::simd}, 3 + 6 + 1).scratch_bytes);
 }
 
-TEST_CASE("progress ends at its total") {
+TEST_CASE("progress ends at its total", "[threads]") {
     const extent size{67, 45};
     const buffers in = make_buffers(size);
     image<> result(size, 3);
