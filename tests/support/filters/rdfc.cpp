@@ -8,10 +8,14 @@ namespace winnow::test {
 
 namespace {
 auto first(filter_numbers n) {
-    return paper::make_rdfc_candidate({.radius = n.radius, .patch_radius = n.patch_radius}).with(n.border);
+    return paper::make_rdfc_candidate(
+               {.radius = n.radius, .patch_radius = n.patch_radius, .k_color = 0.45f, .k_feature = 0.6f})
+        .with(n.border);
 }
 auto second(filter_numbers n) {
-    return paper::make_rdfc_candidate({.radius = n.radius, .patch_radius = n.patch_radius + 2}).with(n.border);
+    return paper::make_rdfc_candidate(
+               {.radius = n.radius, .patch_radius = n.patch_radius + 2, .k_color = 0.45f, .k_feature = 0.6f})
+        .with(n.border);
 }
 auto third(filter_numbers n) {
     return filter{exponential(max(cross(albedo, {.tau = 1e-4f}), cross(normal, {.tau = 1e-4f}))),
