@@ -77,6 +77,9 @@ TEST_CASE_METHOD(fixture, "buffers that differ in size are named with both sizes
 TEST_CASE_METHOD(fixture, "buffers with other channels than their guide are named with both numbers") {
     layers.bind("albedo", in.depth.view());
     CHECK(contains_all(complaint(joint_bilateral(), layers, result), {"albedo has 1 channels", "needs 3"}));
+    const image<> with_alpha(size, 4);
+    layers.bind("albedo", with_alpha.view());
+    CHECK(contains_all(complaint(joint_bilateral(), layers, result), {"albedo has 4 channels", "needs 3"}));
     layers.bind("color", in.depth.view());
     CHECK(contains_all(complaint(bilateral(), layers, result), {"color has 1 channels", "needs 3"}));
     CHECK(untouched());
