@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds winnow's tests and examples and runs them:  tests/run.sh [preset]   (release, clang, asan, tsan)
+# Builds winnow's tests and examples and runs them:  tests/run.sh [preset]   (release, clang, asan)
 # Installs what is missing first, where it may; says what to install where it may not.
 set -euo pipefail
 cd "$(dirname "$0")/.."
