@@ -6,6 +6,13 @@
 #include <winnow/executor/pool.hpp>
 #include <winnow/winnow.hpp>
 
+// A snippet may define what it does not use.
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wunused-const-variable"
+#pragma clang diagnostic ignored "-Wunneeded-internal-declaration"
+#endif
+
 using namespace winnow;
 inline image<float> rgb({8, 8}, 3), texture({8, 8}, 3), normals({8, 8}, 3), z({8, 8}), noise({8, 8}, 3),
     result({8, 8}, 3);
