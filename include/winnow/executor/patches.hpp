@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 /// \file
-/// Patch distances worked out ahead, row by row: the distance of each pixel pair once, then sums along y and x, so that
-/// the cost of a patch hardly depends on its size.
+/// Means over patches worked out ahead, row by row: what is averaged once for each pixel pair, then sums along y and x,
+/// so that the cost of a patch hardly depends on its size.
 #include <algorithm>
 #include <winnow/executor/lanes.hpp>
 #include <winnow/executor/run.hpp>
@@ -12,11 +12,13 @@ namespace winnow {
 
 namespace detail {
 
-/// A distance that says what it averages over a patch (see distance::patch).
+/// A policy that says what it averages over a patch: distance::patch, weight::patch_mean.
 template <class Node>
-    struct is_patch : std::bool_constant < requires {
+concept averages_over_patch = requires {
     typename Node::prepares;
-} > {};
+};
+template <class Node>
+struct is_patch : std::bool_constant<averages_over_patch<Node>> {};
 
 /// Stands in the expression where a patch stood.
 template <class Role>
@@ -217,13 +219,13 @@ private:
     std::size_t ring_floats() const { return std::size_t(group_) * ring_size(); }
     std::ptrdiff_t ring_size() const { return std::ptrdiff_t{count} * (2 * radius_ + 1) * width(); }
 
-    /// The distances of a row for the i-th offset of the group.
+    /// The means of a row for the i-th offset of the group.
     float* result(float* memory, int i, int index) const {
         return memory + (std::ptrdiff_t{i} * count + index) * width();
     }
     /// What the sums of a column of pixels are divided by: one over the number of pairs along x.
     float* share(float* memory, int i, int index) const { return result(memory + result_floats(), i, index); }
-    /// Row y of the inner distances of the i-th offset; the last 2 radius + 1 rows are kept.
+    /// Row y of what is inside the patches, for the i-th offset; the last 2 radius + 1 rows are kept.
     float* ring(float* memory, int i, int index, int y) const {
         const int rows = 2 * radius_ + 1;
         const int place = (y % rows + rows) % rows;
