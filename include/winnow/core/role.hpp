@@ -13,6 +13,7 @@ struct weight {};     ///< how much does q count for p?
 struct window {};     ///< which q are asked?
 struct estimator {};  ///< how wrong is the result?
 struct executor {};   ///< who runs it?
+struct effect {};     ///< what does a simulated scene show?
 }  // namespace role
 
 /// P says that it plays Role:  `using role = role::distance;`.
