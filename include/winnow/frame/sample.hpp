@@ -32,4 +32,32 @@ struct sample {
     }
 };
 
+namespace detail {
+/// The first guide of a list that is not in Given, or else the first of all.
+template <class Given, class First, class... G>
+constexpr auto first_not_given(planes<First, G...>) {
+    if constexpr (!contains<First, Given>) return First{};
+    else if constexpr ((contains<G, Given> && ...)) return First{};
+    else return first_not_given<Given>(planes<G...>{});
+}
+}  // namespace detail
+
+/// There is a value for guide G in a list of those given.
+template <class Given, class G>
+concept gives = contains<G, Given>;
+
+/// There is one for every guide in the list Needed; the error names the first that is missing.
+template <class Given, class Needed>
+concept gives_all = gives<Given, decltype(detail::first_not_given<Given>(Needed{}))>;
+
+/// Those values of a sample that are in another list; a few moves, in whatever order.
+template <class Planes, class P>
+requires gives_all<P, Planes> sample<Planes> narrowed(const sample<P>& s) {
+    sample<Planes> result;
+    Planes::for_each([&]<class G>(G g) {
+        for (int c = 0; c < G::channels; ++c) result.at(g, c) = s.at(g, c);
+    });
+    return result;
+}
+
 }  // namespace winnow

@@ -3,18 +3,16 @@
 /// \file
 /// The variance of the pixel mean, from what a renderer has to offer: two halves of its samples, or several renders.
 #include <algorithm>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 #include <winnow/core/error.hpp>
+#include <winnow/frame/unknown.hpp>
 #include <winnow/image/plane.hpp>
 
 namespace winnow {
 
 namespace detail {
-
-inline constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
 inline void check_same(const char* what, const source& layer, const source& as) {
     if (layer.size != as.size) fail(std::string(what) + " is " + to_string(layer.size) + ", not " + to_string(as.size));
