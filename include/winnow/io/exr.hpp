@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 /// \file
-/// OpenEXR files: every channel of every part in, one part out.  The one door through which OpenEXR enters.
+/// Flat OpenEXR files: every channel of every part in, one part out.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <OpenEXR/ImfTestFile.h>
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 #include <winnow/core/error.hpp>
 #include <winnow/image/image.hpp>
 #include <winnow/image/plane.hpp>
-#include <winnow/io/atomic_file.hpp>
+#include <winnow/io/exr_file.hpp>
 
 namespace winnow::io {
 
@@ -155,50 +151,12 @@ private:
     std::vector<channel> channels_;
 };
 
-namespace detail {
-
-/// OpenEXR refuses an empty data window in words that do not say so; this finds it in the raw header.
-inline bool declares_no_pixels(const std::string& file) {
-    std::string head(4096, '\0');
-    std::ifstream in(file, std::ios::binary);
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    static constexpr char key[] = "dataWindow\0box2i";
-    const std::size_t at = head.find(std::string(key, sizeof key));
-    std::int32_t window[4];
-    if (at == std::string::npos || at + sizeof key + 4 + sizeof window > head.size()) return false;
-    std::memcpy(window, head.data() + at + sizeof key + 4, sizeof window);
-    return window[2] < window[0] || window[3] < window[1];
-}
-
-inline std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
-}
-
-/// An atomic_file as OpenEXR wants it.
-class exr_stream : public Imf::OStream {
-public:
-    exr_stream(atomic_file& file, const std::string& name) : OStream(name.c_str()), file_(file) {}
-    void write(const char bytes[], int count) override { file_.write(bytes, static_cast<std::size_t>(count)); }
-    std::uint64_t tellp() override { return file_.position(); }
-    void seekp(std::uint64_t position) override { file_.seek(position); }
-
-private:
-    atomic_file& file_;
-};
-
-}  // namespace detail
-
 /// Reads all flat parts, scanline or tiled (the largest level), into one image over the union of their data windows;
 /// pixels that a part does not have are 0.  A channel of a later part gets the name of its part in front if it names no
 /// layer itself, or if its name is taken.  Attributes are those of the first flat part.  Deep parts are left out.
 inline exr_image read_exr(const std::filesystem::path& path) {
     const std::string file = path.string();
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) fail(file + ": no such file");
-    if (std::filesystem::is_directory(path, error)) fail(file + ": is a folder, not an EXR file");
-    if (!std::ifstream(file, std::ios::binary)) fail(file + ": cannot be opened");
-    if (!Imf::isOpenExrFile(file.c_str())) fail(file + ": not an EXR file");
+    detail::check_exr(path);
     try {
         Imf::MultiPartInputFile in(file.c_str());
         std::vector<int> flat;
@@ -238,8 +196,7 @@ inline exr_image read_exr(const std::filesystem::path& path) {
     } catch (const invalid_input&) {
         throw;
     } catch (const std::exception& e) {
-        if (detail::declares_no_pixels(file)) fail(file + ": the image is 0x0, there are no pixels");
-        fail(file + ": damaged or truncated (" + detail::one_line(e.what()) + ")");
+        detail::fail_to_read(file, e.what());
     }
 }
 
