@@ -17,3 +17,11 @@ using namespace winnow;
 inline image<float> rgb({8, 8}, 3), texture({8, 8}, 3), normals({8, 8}, 3), z({8, 8}), noise({8, 8}, 3),
     result({8, 8}, 3);
 inline image<float> first({8, 8}, 3), second({8, 8}, 3), feature_noise({8, 8}, 3), error({8, 8}, 3);
+
+// A renderer's sample, and the filter of the first snippet.
+struct path {
+    float radiance[3], texture[3], n[3], t;
+};
+inline path trace(int, int, int) { return {}; }
+inline const filter joint_bilateral{gaussian(spatial, 3.0f) * gaussian(l2(albedo), 0.1f) * gaussian(l2(normal), 0.2f),
+                                    window::square{.radius = 7}};
