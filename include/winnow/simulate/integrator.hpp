@@ -20,7 +20,7 @@ template <class World, class Planes>
 class path_tracer {
 public:
     using effects = typename World::effects;
-    template <effect_policy X>
+    template <class X>  // effects::has asks for an effect; asking here as well crashes clang 14
     static constexpr bool has = effects::template has<X>;
 
     path_tracer(const World& w, extent size, direct_light direct = direct_light::both)

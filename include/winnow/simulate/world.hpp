@@ -34,7 +34,7 @@ template <class Scene>
 class world {
 public:
     using effects = typename Scene::effects;
-    template <effect_policy X>
+    template <class X>  // effects::has asks for an effect; asking here as well crashes clang 14
     static constexpr bool has = effects::template has<X>;
     static constexpr double near = 1e-6;
     static constexpr int sky_part = -2;
