@@ -26,5 +26,15 @@ if(OpenMP_CXX_FOUND)
   target_link_libraries(winnow-developer INTERFACE OpenMP::OpenMP_CXX)
 endif()
 
+# What the simulator needs: Eigen, and products and sums that are rounded one by one.  Contracted to fused ones, as the
+# compiler pleases, a path could depend in its last bit on code around it that it does not run.
+find_package(Eigen3 QUIET NO_MODULE)
+add_library(winnow-simulator INTERFACE)
+target_link_libraries(winnow-simulator INTERFACE winnow-developer)
+target_compile_options(winnow-simulator INTERFACE -ffp-contract=off)
+if(TARGET Eigen3::Eigen)
+  target_include_directories(winnow-simulator SYSTEM INTERFACE $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
+endif()
+
 # The version, for programs that write it into their files.
 target_compile_definitions(winnow-developer INTERFACE WINNOW_VERSION="${PROJECT_VERSION}")

@@ -22,6 +22,7 @@ set(may_io core image frame)
 # The doors of other libraries: which header may include what.
 set(door_xsimd "^executor/lanes\\.hpp$")
 set(door_openmp "^executor/openmp\\.hpp$")
+set(door_eigen "^simulate/vector\\.hpp$")
 set(door_files "^io/")
 
 # What the umbrella leaves to those who ask for it.
@@ -67,6 +68,10 @@ foreach(header IN LISTS headers)
     elseif(name MATCHES "^xsimd/")
       if(NOT header MATCHES "${door_xsimd}")
         violation("${header} includes ${name}, whose door is executor/lanes.hpp")
+      endif()
+    elseif(name MATCHES "^Eigen/")
+      if(NOT header MATCHES "${door_eigen}")
+        violation("${header} includes ${name}, whose door is simulate/vector.hpp")
       endif()
     elseif(name STREQUAL "omp.h")
       if(NOT header MATCHES "${door_openmp}")

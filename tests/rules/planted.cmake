@@ -41,7 +41,7 @@ plant(layers weight/cutoff.hpp "#include <winnow/weight/gone.hpp>\n" "does not e
 plant(layers weight/cutoff.hpp "#include \"concept.hpp\"\n" "with quotes")
 plant(layers executor/serial.hpp "#include <xsimd/xsimd.hpp>\n" "whose door is executor/lanes.hpp")
 plant(layers executor/pool.hpp "#include <omp.h>\n" "whose door is executor/openmp.hpp")
-plant(layers filter/filter.hpp "#include <Eigen/Core>\n" "not of the standard library")
+plant(layers filter/filter.hpp "#include <Eigen/Core>\n" "whose door is simulate/vector.hpp")
 plant(layers image/view.hpp "#include <OpenEXR/ImfIO.h>\n" "not of the standard library")
 plant(layers core/half.hpp "#define WINNOW_ONE\n#define WINNOW_TWO\n" "4 macros, more than 3")
 plant(layers core/half.hpp "#define HALF 1\n" "defines HALF, a macro that is not ours")

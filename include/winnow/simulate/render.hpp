@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <winnow/core/error.hpp>
+#include <winnow/frame/sample.hpp>
 #include <winnow/image/extent.hpp>
 #include <winnow/simulate/integrator.hpp>
 
@@ -55,14 +56,14 @@ photon_map shoot_photons(const World& w, const render_settings& s, extent size, 
 
 }  // namespace detail
 
-/// Adds samples to every pixel of the film: it says which planes it wants (`planes`) and takes
-/// `add(x, y, number of the sample, sample)`.  The pool is anything with size() and run(count, task); see
-/// executor/pool.hpp.
+/// Adds samples to every pixel of the film; a film of guides that the scene cannot give does not compile.  The pool is
+/// anything with size() and run(count, task); see executor/pool.hpp.
 template <class World, class Film, class Pool>
+requires gives_all<typename World::effects::gives, typename Film::inputs>
 void render(const World& w, Film& film, const render_settings& settings, const Pool& pool, render_progress& progress) {
     if (settings.samples < 1) fail(std::to_string(settings.samples) + " samples per pixel: there must be at least one");
     const extent size = film.size();
-    const path_tracer<World, typename Film::sampled> trace(w, size, settings.direct);
+    const path_tracer<World, typename Film::inputs> trace(w, size, settings.direct);
     constexpr bool photons = World::effects::template has<effect::caustics>;
     const int batch = photons ? detail::samples_per_photon_map : settings.samples;
     const int columns = (size.width + settings.tile - 1) / settings.tile;

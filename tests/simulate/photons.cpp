@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <winnow/simulate/photons.hpp>
+
+#include <random>
+#include <support/catch.hpp>
+#include <support/statistics.hpp>
+
+using namespace winnow;
+using namespace winnow::simulate;
+
+namespace {
+
+using shows = effects<effect::area_light, effect::mirror, effect::caustics>;
+
+template <class World>
+std::vector<photon> shot(const World& w, int count) {
+    std::vector<photon> all;
+    for (int i = 0; i < count; ++i)
+        if (photon p; trace_photon(w, 1, 0, i, p)) all.push_back(p);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("the grid finds exactly the photons of the disc") {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> u(-1, 1);
+    std::vector<photon> photons;
+    for (int i = 0; i < 3000; ++i)
+        photons.push_back({{u(random), u(random), i % 10 == 0 ? 0.5 : 0}, rgb(u(random) + 1, 1, 0)});
+    const photon_map map(photons, 10000, 0.07);
+    REQUIRE(map.size() == 3000);
+    for (const double radius : {0.01, 0.1, 0.4})
+        for (int i = 0; i < 30; ++i) {
+            const vec3 p(u(random), u(random), 0);
+            rgb power = grey(0);
+            int count = 0;
+            for (const photon& f : photons)
+                if (f.position.z() == 0 && (f.position - p).norm() <= radius) power += f.power, ++count;
+            const photon_map::estimate e = map.at(p, vec3::UnitZ(), radius);
+            const double share = 1 / (pi * radius * radius * 10000);
+            CHECK(e.density == Approx(count * share));
+            CHECK((e.irradiance - power * share).abs().maxCoeff() < 1e-9 * (1 + power.maxCoeff() * share));
+        }
+    CHECK(photon_map().at(vec3::Zero(), vec3::UnitZ(), 1).density == 0);
+}
+
+TEST_CASE("all power that leaves a lamp arrives where mirrors cannot lose it") {
+    // A box with a diffuse ceiling and mirrors all around; the lamp on the ceiling looks down.
+    scene<shows, quad> s;
+    const int mirror = s.add(material{.name = "mirror", .f0 = grey(1)});
+    const int ceiling = s.add(material{.name = "ceiling", .albedo = grey(0.5)});
+    const int lamp = s.add(material{.name = "lamp", .emission = rgb(3, 2, 1)});
+    s.add(quad({0, 0, 0}, {4, 0, 0}, {0, 4, 0}), mirror);
+    s.add(quad({0, 0, 2}, {4, 0, 0}, {0, 4, 0}), ceiling);
+    for (const auto& [corner, side] : {std::pair{vec3(0, 0, 0), vec3(4, 0, 0)},
+                                       {vec3(0, 4, 0), vec3(4, 0, 0)},
+                                       {vec3(0, 0, 0), vec3(0, 4, 0)},
+                                       {vec3(4, 0, 0), vec3(0, 4, 0)}})
+        s.add(quad(corner, side, {0, 0, 2}), mirror);
+    s.add(quad({1.75, 1.75, 1.999}, {0, 0.5, 0}, {0.5, 0, 0}), lamp);
+    s.bounces = 1000;
+    const world w(s);
+    const std::vector<photon> photons = shot(w, 4000);
+    CHECK(photons.size() + 200 > 4000);  // all but those that come back to the lamp
+    const double area = 0.25;
+    for (const photon& p : photons) {
+        CHECK((p.power - pi * area * rgb(3, 2, 1)).abs().maxCoeff() < 1e-9);
+        CHECK(std::abs(p.position.z() - 2) < 1e-9);
+    }
+    const photon_map map(photons, 4000, 0.5);
+    CHECK((map.power() / (pi * area * rgb(3, 2, 1)) - static_cast<double>(photons.size()) / 4000).abs().maxCoeff() <
+          1e-9);
+}
+
+TEST_CASE(
+    "a ring lit from afar shows a nephroid whose cusp lies where the mirror equation says, near half the radius") {
+    // Rays from a distance D meet after reflection at the far side of a ring of radius 1 at 1/(D+1) + 1/x = 2.
+    const double distance = 3;
+    scene<shows, quad, frustum> s;
+    const int ring = s.add(material{.name = "ring", .f0 = grey(1)});
+    const int table = s.add(material{.name = "table", .albedo = grey(0.5)});
+    const int lamp = s.add(material{.name = "lamp", .emission = grey(1)});
+    s.add(frustum({0, 0, 0}, {0, 0, 0.5}, 1, 1), ring);
+    s.add(quad({-30, -30, 0}, {60, 0, 0}, {0, 60, 0}), table);
+    // Small, above the plane, and looking at the ring.
+    const vec3 at(-distance, 0, 0.75), towards = vec3(distance, 0, -0.75).normalized();
+    const basis b(towards);
+    s.add(quad(at, 0.01 * b.s, 0.01 * b.t), lamp);
+    const world w(s);
+
+    // Along the axis the light jumps at the cusp: within the ring no photon comes by one reflection before it.
+    std::vector<int> bins(100, 0);
+    int inside = 0;
+    for (const photon& p : shot(w, 2'000'000))
+        if (std::abs(p.position.y()) < 0.04 && std::abs(p.position.x()) < 1) {
+            ++bins[static_cast<std::size_t>((p.position.x() + 1) * 50)];
+            ++inside;
+        }
+    REQUIRE(inside > 1000);
+    const auto brightest = std::max_element(bins.begin(), bins.end()) - bins.begin();
+    const double cusp = (static_cast<double>(brightest) + 0.5) / 50 - 1;
+    const double expected = 1 - 1 / (2 - 1 / (distance + 1));
+    INFO("brightest at " << cusp << ", expected " << expected);
+    CHECK(std::abs(cusp - expected) < 0.03);
+}
