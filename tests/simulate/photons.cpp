@@ -84,16 +84,17 @@ TEST_CASE(
     s.add(frustum({0, 0, 0}, {0, 0, 0.5}, 1, 1), ring);
     s.add(quad({-30, -30, 0}, {60, 0, 0}, {0, 60, 0}), table);
     // Small, above the plane, and looking at the ring.
-    const vec3 at(-distance, 0, 0.75), towards = vec3(distance, 0, -0.75).normalized();
+    const vec3 at(-distance, 0, 2), towards = vec3(distance, 0, -2).normalized();
     const basis b(towards);
     s.add(quad(at, 0.01 * b.s, 0.01 * b.t), lamp);
     const world w(s);
 
-    // Along the axis the light jumps at the cusp: within the ring no photon comes by one reflection before it.
+    // Along the axis the light is brightest at the cusp, as far as a band can tell: the arms of the cusp leave one that
+    // is .008 wide to each side .02 behind it.
     std::vector<int> bins(100, 0);
     int inside = 0;
-    for (const photon& p : shot(w, 2'000'000))
-        if (std::abs(p.position.y()) < 0.04 && std::abs(p.position.x()) < 1) {
+    for (const photon& p : shot(w, 4'000'000))
+        if (std::abs(p.position.y()) < 0.008 && std::abs(p.position.x()) < 1) {
             ++bins[static_cast<std::size_t>((p.position.x() + 1) * 50)];
             ++inside;
         }
