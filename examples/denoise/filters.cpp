@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <support/nearest.hpp>
 #include <type_traits>
 #include <variant>
 #include <winnow/estimator/standard_error.hpp>
@@ -11,8 +12,6 @@
 #include <winnow/paper/joint_bilateral.hpp>
 #include <winnow/paper/nlm_2012.hpp>
 #include <winnow/paper/rdfc_2013.hpp>
-
-#include "nearest.hpp"
 
 namespace denoise {
 
@@ -195,7 +194,7 @@ std::vector<double> filter_entry::values(const std::vector<std::pair<std::string
     for (const number& n : numbers) values.push_back(n.initial), keys.push_back(n.name);
     for (const auto& [key, said] : set) {
         const auto at = static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
-        if (at == keys.size()) fail(name + " has no number " + key + did_you_mean(key, keys));
+        if (at == keys.size()) fail(name + " has no number " + key + programs::did_you_mean(key, keys));
         const number& n = numbers[at];
         double value = 0;
         const auto [end, error] = std::from_chars(said.data(), said.data() + said.size(), value);
@@ -226,7 +225,7 @@ const filter_entry& find_filter(const std::string& name) {
         if (f.name == name) return f;
         known.push_back(f.name);
     }
-    fail("there is no filter " + name + did_you_mean(name, known));
+    fail("there is no filter " + name + programs::did_you_mean(name, known));
 }
 
 std::string default_executor() {
@@ -241,7 +240,7 @@ int check_executor(const std::string& executor, int threads) {
     std::vector<std::string> known{"serial", "simd"};
     if (default_executor() == "openmp") known.push_back("openmp");
     if (std::find(known.begin(), known.end(), executor) == known.end())
-        fail("there is no executor " + executor + did_you_mean(executor, known));
+        fail("there is no executor " + executor + programs::did_you_mean(executor, known));
 #if defined(_OPENMP)
     if (executor == "openmp") return threads ? threads : omp_get_max_threads();
 #endif

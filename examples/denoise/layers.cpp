@@ -2,9 +2,8 @@
 #include "layers.hpp"
 
 #include <algorithm>
+#include <support/nearest.hpp>
 #include <winnow/core/error.hpp>
-
-#include "nearest.hpp"
 
 namespace denoise {
 
@@ -55,7 +54,7 @@ layer_finder::layer_finder(std::string file, names channels, std::vector<std::pa
     for (const auto& [buffer, layer] : map_)
         if (!contains(buffers, buffer))
             winnow::fail("--map " + buffer + "=" + layer + ": there is no buffer " + buffer +
-                         did_you_mean(buffer, buffers));
+                         programs::did_you_mean(buffer, buffers));
 }
 
 std::optional<file_layer> layer_finder::with_channels(const std::string& layer, int channels) const {
@@ -105,7 +104,8 @@ std::optional<file_layer> layer_finder::mapped(const std::string& buffer, int ch
                          (channels == 1 ? " channel" : " channels"));
         names there = layers_;
         there.insert(there.end(), channels_.begin(), channels_.end());
-        winnow::fail(file_ + ": --map " + name + "=" + layer + ": there is no such layer" + did_you_mean(layer, there));
+        winnow::fail(file_ + ": --map " + name + "=" + layer + ": there is no such layer" +
+                     programs::did_you_mean(layer, there));
     }
     return {};
 }
@@ -141,7 +141,7 @@ file_layer layer_finder::further(const std::string& name) const {
         return all;
     }
     if (contains(channels_, name)) return {name, {name}};
-    winnow::fail(file_ + ": there is no layer " + name + did_you_mean(name, layers_));
+    winnow::fail(file_ + ": there is no layer " + name + programs::did_you_mean(name, layers_));
 }
 
 std::vector<file_layer> layer_finder::all_further() const {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 /// \file
 /// Denoises a render from the command line; see --help.
-#include <chrono>
 #include <cmath>
 #include <iostream>
-#include <thread>
+#include <support/progress.hpp>
 #include <winnow/io/exr.hpp>
 #include <winnow/io/png.hpp>
 
@@ -18,32 +17,7 @@ namespace denoise {
 namespace {
 
 using namespace winnow;
-
-class stopwatch {
-public:
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// Says on stderr, until it is destroyed, how far a run is.
-class progress_line {
-public:
-    progress_line(bool shown, const run_progress& run, const winnow::progress& pass) {
-        if (!shown) return;
-        watcher_ = std::jthread([&](const std::stop_token& stop) {
-            while (!stop.stop_requested()) {
-                std::cerr << "\rdenoise: " << std::lround(100 * run.share(pass)) << " % " << std::flush;
-                std::this_thread::sleep_for(std::chrono::milliseconds(50));
-            }
-            std::cerr << "\rdenoise: 100 %\n";
-        });
-    }
-
-private:
-    std::jthread watcher_;
-};
+using programs::stopwatch;
 
 struct results {
     rectangle window;  ///< what was asked for, relative to the data window
@@ -117,7 +91,7 @@ results run(const options& o, const ready_filter& filter, const scene& s, rectan
     workspace memory;
     run_progress progress;
     {
-        const progress_line line(o.progress, progress, memory.progress);
+        const programs::progress_line line(o.progress, "denoise", [&] { return progress.share(memory.progress); });
         filter.run(
             {frame, r.filtered, with_error ? &r.error : nullptr, layers, o.executor, o.threads, memory, progress});
     }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <iostream>
-#include <winnow/core/error.hpp>
+#include <support/command_line.hpp>
 
 #include "filters.hpp"
-#include "nearest.hpp"
 
 namespace denoise {
 
@@ -59,8 +57,6 @@ std::optional<options> parse(int argc, const char* const* argv) {
     std::string crop;
     bool list = false;
     CLI::App app(about, "denoise");
-    app.set_version_flag("--version", WINNOW_VERSION);
-    app.allow_extras();  // so that an unknown option can be told with the nearest known one
     app.add_option("INPUT.exr", o.inputs, "Renders");
     app.add_option("-o,--output", o.output, "The result: .exr, or .png, tone-mapped");
     app.add_option("--filter", o.filter, "One of those that --list names")->capture_default_str();
@@ -78,22 +74,7 @@ std::optional<options> parse(int argc, const char* const* argv) {
     app.add_flag("--json", o.json, "Prints the result as one JSON object");
     app.add_flag("--progress", o.progress, "Says on stderr how far it is");
     app.add_flag("--diagnose", o.diagnose, "Says on stderr what looks wrong with the input; needs no output");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answered) {
-        app.exit(answered);
-        return {};
-    } catch (const CLI::Error& e) {
-        std::string line = e.what();
-        std::replace(line.begin(), line.end(), '\n', ' ');
-        winnow::fail(line);
-    }
-    for (const std::string& extra : app.remaining()) {
-        std::vector<std::string> known;
-        for (const CLI::Option* option : app.get_options())
-            for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-        winnow::fail("unknown option " + extra + did_you_mean(extra, known));
-    }
+    if (!programs::parse(app, argc, argv)) return {};
     if (list) {
         list_filters();
         return {};

@@ -21,21 +21,20 @@ inline void check_comparable(const source& x, const source& reference) {
         fail("the image is " + to_string(x.size) + ": there is nothing to compare");
 }
 
-/// The mean of f(value, reference value) over all pixels and channels.  One NaN or infinite value in either image makes
-/// it NaN: no metric hides what is in an image.
-template <class F>
-double mean_over_values(const source& x, const source& reference, const F& f) {
-    check_comparable(x, reference);
+/// The mean of f(value, value of each reference) over all pixels and channels.  One NaN or infinite value in any image
+/// makes it NaN: no metric hides what is in an image.
+template <class F, class... References>
+double mean_over_values(const F& f, const source& x, const References&... references) {
+    (check_comparable(x, references), ...);
     double sum = 0;
-    for (int c = 0; c < x.channels; ++c) {
-        const source a = x.channel(c), b = reference.channel(c);
+    for (int c = 0; c < x.channels; ++c)
         for (int j = 0; j < x.size.height; ++j)
             for (int i = 0; i < x.size.width; ++i) {
-                const float value = a.at(i, j), wanted = b.at(i, j);
-                if (!is_finite(value) || !is_finite(wanted)) return std::numeric_limits<double>::quiet_NaN();
-                sum += f(value, wanted);
+                const auto at = [&](const source& s) { return s.channel(c).at(i, j); };
+                if (!is_finite(at(x)) || !(is_finite(at(references)) && ...))
+                    return std::numeric_limits<double>::quiet_NaN();
+                sum += f(at(x), at(references)...);
             }
-    }
     return sum / (static_cast<double>(x.size.pixels()) * x.channels);
 }
 

@@ -11,8 +11,8 @@ namespace winnow::metric {
 /// literature uses an epsilon of 0.01 or of 0.001: state which.
 inline double relative_mse(source x, source reference, double epsilon = 0.01) {
     if (!(epsilon > 0)) fail("relative_mse: epsilon is " + std::to_string(epsilon) + ", it must be above 0");
-    return mean_over_values(x, reference,
-                            [epsilon](double a, double b) { return (a - b) * (a - b) / (b * b + epsilon); });
+    return mean_over_values([epsilon](double a, double b) { return (a - b) * (a - b) / (b * b + epsilon); }, x,
+                            reference);
 }
 
 }  // namespace winnow::metric

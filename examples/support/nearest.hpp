@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace denoise {
+namespace programs {
 
 /// The least number of letters to insert, delete or replace.
 inline int letters_apart(const std::string& a, const std::string& b) {
@@ -32,4 +33,4 @@ inline std::string did_you_mean(const std::string& said, const std::vector<std::
     return nearest == names.end() ? "" : "; did you mean " + *nearest + "?";
 }
 
-}  // namespace denoise
+}  // namespace programs
