@@ -19,9 +19,11 @@ struct chess {
     static auto make() {
         scene<Effects, quad, disc, ellipsoid, frustum> s;
         // A point at depth z becomes a disc of radius c = lens_radius |1 / focus - 1 / z| f pixels, in an image of
-        // 256x192, where f = (256 / 2) / tan(46 / 2 degrees) = 302.  The captured pawn in front of the board is at
-        // z = 3.4: c = 12; the second row at 5.2 to 5.5: c < 1.1; the last row at 9.2: c = 10; the wall at 10.4: c
-        // = 11.
+        // 256x192, where f = (256 / 2) / tan(46 / 2 degrees) = 302:
+        //     the captured pawn, in front of the board   z = 3.4          c = 12
+        //     the second row                             z = 5.2 to 5.5   c = 0 to 1.1
+        //     the last row                               z = 9.2          c = 10
+        //     the wall                                   z = 10.4         c = 11
         s.camera_at = [](double) {
             return camera{.eye = {0.6, -3.2, 3.0},
                           .target = {0, 1.9, 0.4},
