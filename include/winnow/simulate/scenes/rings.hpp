@@ -61,7 +61,7 @@ struct rings {
         const basis frame(-lamp.normalized());
         s.add(quad(lamp - 0.15 * (frame.s + frame.t), 0.3 * frame.s, 0.3 * frame.t),
               s.add({.name = "lamp", .emission = rgb(1.0, 0.93, 0.82) * 850}));
-        s.sky = [](const vec3& direction) { return rgb(rgb(0.10, 0.13, 0.20) * (0.4 + 0.6 * direction.z())); };
+        s.sky = [](const vec3& direction) { return rgb(rgb(0.10, 0.13, 0.20) * (0.5 + 0.5 * direction.z())); };
         return s;
     }
 };
