@@ -3,6 +3,8 @@
 /// \file
 /// Sixty coloured balls, a lattice of thin bars and a mirror ball before a plane mirror and a glossy wall.  Half of
 /// what is seen is seen at the second hit.
+#include <algorithm>
+#include <vector>
 #include <winnow/simulate/pattern.hpp>
 #include <winnow/simulate/scene.hpp>
 
