@@ -16,7 +16,7 @@ struct balls {
 
     template <class Effects = shows>
     static auto make() {
-        scene<Effects, quad, ellipsoid> s;
+        scene<Effects, quad, disc, ellipsoid> s;
         arrange(s);
         // About two pixels a frame in an image 256 wide.
         s.camera_at = [](double time) {
@@ -62,10 +62,10 @@ struct balls {
                          return rgb((0.75 + 0.25 * value_noise(12 * at.rest)) * (stripe(12 * at.uv.x()) ? red : white));
                      }}));
 
-        // Tiles of marble with a varnish that is polished on every other one.
-        s.add(quad({-40, -40, 0}, 80 * vec3::UnitX(), 80 * vec3::UnitY()),
+        // As far as the eye can see, tiles of marble with a varnish that is polished on every other one.
+        s.add(disc({0, 0, 0}, vec3::UnitZ(), 50),
               s.add({.name = "tiles",
-                     .albedo = {0.42, 0.40, 0.38},
+                     .albedo = {0.52, 0.50, 0.47},
                      .f0 = grey(0.12),
                      .texture =
                          [](const place& at) {
@@ -88,8 +88,8 @@ struct balls {
             s.add(quad(at - size / 2 * (frame.s + frame.t), size * frame.s, size * frame.t),
                   s.add({.name = "lamp", .emission = emission}));
         };
-        lamp({-5, -3.5, 6.5}, 1.6, rgb(1.0, 0.86, 0.66) * 50);
-        lamp({5.5, 4, 5.5}, 1.5, rgb(0.62, 0.78, 1.0) * 42);
+        lamp({-5, -3.5, 6.5}, 1.6, rgb(1.0, 0.86, 0.66) * 62);
+        lamp({5.5, 4, 5.5}, 1.5, rgb(0.62, 0.78, 1.0) * 60);
         s.sky = [](const vec3& d) {
             const double up = std::max(0.0, d.z()), west = std::max(0.0, 0.8 * d.y() - 0.6 * d.x());
             const rgb zenith(0.05, 0.09, 0.22), horizon(0.22, 0.22, 0.28), dusk(0.70, 0.32, 0.12);

@@ -16,12 +16,12 @@ struct orbit {
 
     template <class Effects = shows>
     static auto make() {
-        scene<Effects, quad, ellipsoid> s;
+        scene<Effects, quad, disc, ellipsoid> s;
         balls::arrange(s);
         s.camera_at = [](double time) {
             const double turn = 2 * pi * time / frames - pi / 2;
             return camera{
-                .eye = {8 * std::cos(turn), 8 * std::sin(turn), 3.6}, .target = {0, 0, 0.6}, .field_of_view = 42};
+                .eye = {8.3 * std::cos(turn), 8.3 * std::sin(turn), 2.9}, .target = {0, 0, 0.75}, .field_of_view = 44};
         };
         return s;
     }
