@@ -123,10 +123,10 @@ bool trace_photon(const World& w, std::uint64_t seed, int half, int index, photo
         if (!m) return false;
         const surface s = w.at(r, m, time);
         const scattering<effects> scatters(s, -r.direction);
-        const bool specular = random(draw::lobe{}, bounce + 1) < scatters.specular_share();
-        if (!specular || !scatters.is_delta()) {
+        const double passed_on = scatters.is_delta() ? scatters.specular_share() : 0;
+        if (random(draw::lobe{}, bounce + 1) >= passed_on) {
             if (bounce == 0 || !(s.albedo > 0).any()) return false;
-            stored = {s.position, power};
+            stored = {s.position, power / (1 - passed_on)};  // also for those that are passed on
             return true;
         }
         const scattered next =
