@@ -20,7 +20,7 @@ struct rings {
         s.camera_at = [](double) {
             return camera{.eye = {0.4, -5.8, 5.8}, .target = {0.1, -0.15, 0.1}, .field_of_view = 40};
         };
-        s.photons_per_sample = 4;
+        s.photons_per_sample = 3;
 
         // A table of tiles in two shades.
         const int light = s.add({.name = "light tile", .albedo = {0.80, 0.78, 0.74}});
