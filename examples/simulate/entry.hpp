@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// A built-in scene as the program sees it: its types erased.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+#include <winnow/image/image.hpp>
+#include <winnow/simulate/random.hpp>
+#include <winnow/simulate/render.hpp>
+
+namespace simulator {
+
+using winnow::extent;
+using winnow::image;
+
+/// One buffer of a render, under the names that its channels have in a file.
+struct plane {
+    std::string guide;
+    std::vector<std::string> channels;
+    image<float> values;
+};
+
+/// What to render.
+struct job {
+    extent size;
+    int frame = 0;
+    winnow::simulate::render_settings settings;
+    int threads = 1;
+    std::string deep;  ///< where all samples go, if anywhere
+};
+
+struct result {
+    std::vector<plane> planes;
+    std::int64_t rejected = 0;  ///< samples that were no number
+    double seconds = 0;
+};
+
+/// One scene with all that its effects can give.
+class entry {
+public:
+    virtual ~entry() = default;
+
+    virtual std::string name() const = 0;
+    virtual std::string summary() const = 0;
+    virtual std::vector<std::string> effects() const = 0;
+    virtual std::vector<std::string> guides() const = 0;
+    virtual int camera_numbers() const = 0;  ///< random numbers that a path takes at the camera
+    virtual int vertex_numbers() const = 0;  ///< and at most at each vertex
+    virtual std::size_t sample_bytes() const = 0;
+    /// Memory that a render of this size takes, with that many samples kept.  Fails for a size that is none.
+    virtual std::size_t bytes(extent size, int kept_samples) const = 0;
+    /// Changes whenever the pictures do.
+    virtual std::uint64_t fingerprint() const = 0;
+    virtual result render(const job& j, winnow::simulate::render_progress& progress) const = 0;
+};
+
+/// All scenes, in the order of their names.
+const std::vector<std::unique_ptr<entry>>& scenes();
+/// Fails for a name that is none.
+const entry& find_scene(const std::string& name);
+
+}  // namespace simulator

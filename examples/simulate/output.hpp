@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// A render as a file.
+#include <winnow/io/exr.hpp>
+
+#include "entry.hpp"
+
+namespace simulator {
+
+/// The planes that `wanted(name of the plane)` names, with what made them in the header.
+template <class Wanted>
+winnow::io::exr_image as_exr(const entry& scene, const job& j, const result& r, const Wanted& wanted) {
+    winnow::io::exr_image file(winnow::rectangle{0, 0, j.size.width, j.size.height});
+    for (const plane& p : r.planes)
+        if (wanted(p.guide))
+            for (std::size_t c = 0; c < p.channels.size(); ++c)
+                file.set(p.channels[c], winnow::source(p.values.view()).channel(static_cast<int>(c)));
+    file.set_attribute("winnow:version", WINNOW_VERSION);
+    file.set_attribute("winnow:scene", scene.name());
+    file.set_attribute("winnow:samples", std::to_string(j.settings.samples));
+    file.set_attribute("winnow:seed", std::to_string(j.settings.seed));
+    file.set_attribute("winnow:frame", std::to_string(j.frame));
+    return file;
+}
+
+/// Fails, before anything is allocated, if the machine has not the memory.
+void check_memory(const entry& scene, const job& j);
+
+}  // namespace simulator
