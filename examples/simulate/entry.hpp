@@ -2,6 +2,7 @@
 #pragma once
 /// \file
 /// A built-in scene as the program sees it: its types erased.
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -35,6 +36,10 @@ struct result {
     std::vector<plane> planes;
     std::int64_t rejected = 0;  ///< samples that were no number
     double seconds = 0;
+
+    /// Keeps a guide's mean, its variance and its halves, in this order.
+    void keep(const std::string& guide, const std::vector<std::string>& channels,
+              const std::array<const image<float>*, 4>& images);
 };
 
 /// One scene with all that its effects can give.

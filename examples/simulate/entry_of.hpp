@@ -2,6 +2,7 @@
 #pragma once
 /// \file
 /// The entry of a scene type.
+#include <optional>
 #include <support/progress.hpp>
 #include <winnow/executor/pool.hpp>
 #include <winnow/frame/samples.hpp>
@@ -16,9 +17,9 @@ namespace simulator {
 template <class Scene>
 class entry_of : public entry {
     using shows = typename Scene::shows;
-    using film = winnow::simulate::complete_film<shows>;
+    using complete = winnow::simulate::complete_film<shows>;
     using gives = typename shows::gives;
-    using samples = winnow::samples<gives>;
+    using samples_of_all = winnow::samples<gives>;
 
 public:
     std::string name() const override { return Scene::name(); }
@@ -33,56 +34,61 @@ public:
     int vertex_numbers() const override { return shows::vertex_numbers; }
     std::size_t sample_bytes() const override { return sizeof(winnow::sample<gives>); }
     std::size_t bytes(extent size, int kept_samples) const override {
-        const std::size_t images = sizeof(float) * film::planes::count * static_cast<std::size_t>(size.pixels());
-        return film::bytes(size) + images + (kept_samples ? samples::bytes(size, kept_samples) : 0);
+        const std::size_t images = sizeof(float) * complete::planes::count * static_cast<std::size_t>(size.pixels());
+        return complete::bytes(size) + images + (kept_samples ? samples_of_all::bytes(size, kept_samples) : 0);
     }
 
     std::uint64_t fingerprint() const override {
-        film small({40, 30});
-        winnow::simulate::render(winnow::simulate::world(Scene::make()), small, {.samples = 4},
-                                 winnow::executor::fresh_threads{1});
+        job j{.size = {40, 30}};
+        j.settings.samples = 4;
+        winnow::simulate::render_progress unwatched;
         std::uint64_t hash = 0;
-        for (const std::byte b : small.raw())
+        const auto add = [&](std::byte b) {
             hash = winnow::simulate::detail::mixed(hash, static_cast<std::uint64_t>(b));
+        };
+        const kept all = rendered(j, unwatched);
+        for (const std::byte b : all.film.raw()) add(b);
         return hash;
     }
 
     result render(const job& j, winnow::simulate::render_progress& progress) const override {
-        const winnow::simulate::world world(Scene::make(), j.frame);
-        film f(j.size);
         const programs::stopwatch since;
-        const winnow::executor::fresh_threads pool{j.threads};
-        if (j.deep.empty()) {
-            winnow::simulate::render(world, f, j.settings, pool, progress);
-        } else {
-            samples all(j.size, j.settings.samples);
-            both_of kept{f, all};
-            winnow::simulate::render(world, kept, j.settings, pool, progress);
-            if (!progress.cancel) winnow::io::write_deep_exr(j.deep, all);
-        }
+        const kept all = rendered(j, progress);
         result r;
         r.seconds = since.seconds();
-        r.rejected = f.rejected();
+        r.rejected = all.film.rejected();
         if (progress.cancel) return r;
-        f.develop().for_each([&]<class G>(G g, const image<float>& values) {
-            r.planes.push_back({G::name(), winnow::io::channel_names(g), values});
+        if (all.samples) winnow::io::write_deep_exr(j.deep, *all.samples);
+        const auto images = all.film.develop();
+        gives::for_each([&]<class G>(G g) {
+            using namespace winnow;
+            r.keep(G::name(), io::channel_names(g),
+                   {&images[g], &images[variance(g)], &images[first_half(g)], &images[second_half(g)]});
         });
         return r;
     }
 
 private:
-    /// A film that keeps all samples as well.
-    struct both_of {
+    /// A film, and all samples if they are asked for.
+    struct kept {
         using inputs = gives;
-        film& first;
-        samples& second;
+        complete film;
+        std::optional<samples_of_all> samples;
 
-        extent size() const { return first.size(); }
+        extent size() const { return film.size(); }
         void add(int x, int y, int i, const winnow::sample<gives>& s) {
-            first.add(x, y, i, s);
-            second.set(x, y, i, s);
+            film.add(x, y, i, s);
+            if (samples) samples->set(x, y, i, s);
         }
     };
+
+    static kept rendered(const job& j, winnow::simulate::render_progress& progress) {
+        kept all{complete(j.size), {}};
+        if (!j.deep.empty()) all.samples.emplace(j.size, j.settings.samples);
+        winnow::simulate::render(winnow::simulate::world(Scene::make(), j.frame), all, j.settings,
+                                 winnow::executor::fresh_threads{j.threads}, progress);
+        return all;
+    }
 };
 
 }  // namespace simulator

@@ -24,6 +24,9 @@ public:
     requires contains<H, planes<G...>> image<float>
     &operator[](H) { return images_[index<H>]; }
 
+    /// The image of the plane of that number in the list.
+    image<float>& number(std::size_t i) { return images_[i]; }
+
     /// What filters read.  It looks at these images, which must outlive it.
     winnow::frame<G...> frame() const& { return {bound<G>{source((*this)[G{}].view())}...}; }
     winnow::frame<G...> frame() const&& = delete;

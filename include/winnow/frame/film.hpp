@@ -118,12 +118,16 @@ public:
 
     /// The images.  A mean without samples is NaN, as is a variance of less than two: unknown.
     developed<planes> develop() const {
+        static constexpr auto readings = []<class... G>(winnow::planes<G...>) {
+            return std::array{reading_of<G>()...};
+        }(planes{});
         developed<planes> images(size_);
-        for (int y = 0; y < size_.height; ++y)
-            images.for_each([&]<class G>(G, image<float>& plane) {
-                for (int c = 0; c < G::channels; ++c)
-                    for (int x = 0; x < size_.width; ++x) plane.at(x, y, c) = value<G>(at(x, y), c);
-            });
+        for (std::size_t i = 0; i < readings.size(); ++i) {
+            image<float>& plane = images.number(i);
+            for (int c = 0; c < plane.channels(); ++c)
+                for (int y = 0; y < size_.height; ++y)
+                    for (int x = 0; x < size_.width; ++x) plane.at(x, y, c) = value(at(x, y), readings[i], c);
+        }
         return images;
     }
 
@@ -209,45 +213,54 @@ private:
         a.rejected += b.rejected;
     }
 
-    /// Channel c of plane G.
+    /// How a plane is read from a pixel: not by its type, because a film may have very many.
+    struct reading {
+        detail::statistic what;
+        int half;                             ///< -1: of both
+        enum { spread, whole, halved } kept;  ///< in which part of the pixel
+        int first;                            ///< of its means there
+        int channels;                         ///< of the guide itself
+    };
     template <class G>
-    static float value(const pixel& p, int c) {
+    static constexpr reading reading_of() {
         using named = detail::plane_named<G>;
         using base = typename named::base;
-        constexpr bool is_mean = named::what == detail::statistic::mean;
-        const double n = p.samples();
+        if constexpr (contains<base, typename plan::spread> && named::half < 0)
+            return {named::what, -1, reading::spread, spread_slot<base>, base::channels};
+        else if constexpr (contains<base, typename plan::whole>)
+            return {named::what, -1, reading::whole, slot_of<base>(typename plan::whole{}), base::channels};
+        else return {named::what, named::half, reading::halved, slot_of<base>(typename plan::halved{}), base::channels};
+    }
 
-        if constexpr (contains<base, typename plan::spread> && named::half < 0) {
-            using comoments = detail::comoments<base::channels>;
-            const double* const mean = pixel::doubles(p) + spread_slot<base>;
-            if constexpr (is_mean) return n > 0 ? static_cast<float>(mean[c]) : detail::unknown;
-            else if constexpr (named::what == detail::statistic::variance)
-                return detail::variance_of_mean(mean[comoments::diagonal(c)], n);
-            else return detail::quotient(mean[base::channels + c], n);
-        } else if constexpr (contains<base, typename plan::whole>) {
-            const float* const mean = pixel::floats(p) + whole_floats + slot_of<base>(typename plan::whole{}) + c;
-            if constexpr (is_mean) return n > 0 ? *mean : detail::unknown;
-            else return detail::variance_of_mean(mean[plan::whole::count], n);
-        } else {
-            const float* const a = pixel::floats(p) + slot_of<base>(typename plan::halved{}) + c;
-            const float* const b = a + plan::half_floats;
-            const double n_a = p.count[0], n_b = p.count[1];
-            if constexpr (named::half >= 0) {
-                const float* const mean = named::half == 0 ? a : b;
-                const double count = p.count[named::half];
-                if constexpr (is_mean) return count > 0 ? *mean : detail::unknown;
-                else return detail::variance_of_mean(mean[plan::halved::count], count);
-            } else if (n == 0) {
-                return detail::unknown;
-            } else if constexpr (is_mean) {
-                return static_cast<float>(detail::mean_of_both(*a, n_a, *b, n_b));
-            } else {
-                const double distance = double{*b} - *a;
-                const double squares = detail::squares_of_both(a[plan::halved::count], b[plan::halved::count], distance,
-                                                               distance, detail::cross_share(n_a, n_b));
-                return detail::variance_of_mean(squares, n);
-            }
+    static float value(const pixel& p, const reading& r, int c) {
+        const bool is_mean = r.what == detail::statistic::mean;
+        const double n = p.samples();
+        if (r.kept == reading::spread) {
+            const double* const mean = pixel::doubles(p) + r.first;
+            if (is_mean) return n > 0 ? static_cast<float>(mean[c]) : detail::unknown;
+            if (r.what == detail::statistic::covariance) return detail::quotient(mean[r.channels + c], n);
+            return detail::variance_of_mean(mean[detail::diagonal(r.channels, c)], n);
         }
+        if (r.kept == reading::whole) {
+            const float* const mean = pixel::floats(p) + whole_floats + r.first + c;
+            if (is_mean) return n > 0 ? *mean : detail::unknown;
+            return detail::variance_of_mean(mean[plan::whole::count], n);
+        }
+        const float* const a = pixel::floats(p) + r.first + c;
+        const float* const b = a + plan::half_floats;
+        const double n_a = p.count[0], n_b = p.count[pixel::parts - 1];
+        if (r.half >= 0) {
+            const float* const mean = r.half == 0 ? a : b;
+            const double count = r.half == 0 ? n_a : n_b;
+            if (is_mean) return count > 0 ? *mean : detail::unknown;
+            return detail::variance_of_mean(mean[plan::halved::count], count);
+        }
+        if (n == 0) return detail::unknown;
+        if (is_mean) return static_cast<float>(detail::mean_of_both(*a, n_a, *b, n_b));
+        const double distance = double{*b} - *a;
+        const double squares = detail::squares_of_both(a[plan::halved::count], b[plan::halved::count], distance,
+                                                       distance, detail::cross_share(n_a, n_b));
+        return detail::variance_of_mean(squares, n);
     }
 
     extent size_;

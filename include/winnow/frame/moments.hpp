@@ -86,10 +86,10 @@ struct comoments {
                 a[at] = squares_of_both(a[at], b[at], b[i] - a[i], b[j] - a[j], share);
         for (int c = 0; c < Channels; ++c) a[c] = mean_of_both(a[c], n_a, b[c], n_b);
     }
-
-    /// Where the comoment of channel c with itself is.
-    static constexpr int diagonal(int c) { return Channels + c * Channels - c * (c - 1) / 2; }
 };
+
+/// Where, from the first mean on, the comoment of channel c of several with itself is.
+constexpr int diagonal(int channels, int c) { return channels + c * channels - c * (c - 1) / 2; }
 
 /// Unknown where there is nothing to divide by.
 inline float quotient(double numerator, double denominator) {

@@ -36,6 +36,19 @@ constexpr std::string_view letters() {
     else return "RGBA";
 }
 
+inline std::vector<std::string> channels_called(const std::string& plane, std::string_view letters,
+                                                bool covariance = false) {
+    std::string layer = plane + ".";
+    if (layer.starts_with("color.")) layer.erase(0, std::string_view("color.").size());
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        if (covariance)
+            for (std::size_t j = i; j < letters.size(); ++j) names.push_back(layer + letters[i] + letters[j]);
+        else names.push_back(layer + letters[i]);
+    }
+    return names;
+}
+
 }  // namespace detail
 
 /// One name for each channel: the layer is called as the guide is, only that of the colour has no name of its own.
@@ -46,16 +59,7 @@ std::vector<std::string> channel_names(G) {
     using base = typename detail::underlying<G>::type;
     constexpr std::string_view letters = detail::letters<base>();
     static_assert(base::channels <= static_cast<int>(letters.size()), "channels of files are called by single letters");
-
-    std::string layer = G::name() + ".";
-    if constexpr (std::is_same_v<base, color_t>) layer.erase(0, std::string_view("color.").size());
-    std::vector<std::string> names;
-    for (int i = 0; i < base::channels; ++i) {
-        if constexpr (detail::is_covariance<G>)
-            for (int j = i; j < base::channels; ++j) names.push_back(layer + letters[i] + letters[j]);
-        else names.push_back(layer + letters[i]);
-    }
-    return names;
+    return detail::channels_called(G::name(), letters.substr(0, base::channels), detail::is_covariance<G>);
 }
 
 /// Those of all guides of a list, in its order.
