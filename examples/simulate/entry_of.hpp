@@ -39,7 +39,8 @@ public:
     }
 
     std::uint64_t fingerprint() const override {
-        job j{.size = {40, 30}};
+        job j;
+        j.size = {40, 30};
         j.settings.samples = 4;
         winnow::simulate::render_progress unwatched;
         std::uint64_t hash = 0;
