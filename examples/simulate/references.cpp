@@ -68,7 +68,7 @@ void make_references(const options& o, simulate::render_progress& progress) {
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder)) fail("cannot make the folder " + o.folder);
     job j = o.what;
-    if (!o.sampled) j.settings.samples = 1024;
+    if (!o.sampled) j.settings.samples = 768;
     if (!o.scene.empty()) return make(find_scene(o.scene), j, folder, o.progress, progress);
     for (const auto& scene : scenes())
         if (!progress.cancel) make(*scene, j, folder, o.progress, progress);

@@ -4,6 +4,7 @@
 /// A bounding volume hierarchy over boxes, built by the surface area heuristic.
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 #include <winnow/simulate/shape.hpp>
@@ -24,31 +25,31 @@ public:
     template <class Meet>
     void walk(const ray& r, double far, const Meet& meet) const {
         if (nodes_.empty()) return;
-        const vec3 inverse = r.direction.cwiseInverse();
-        std::array<std::int32_t, 64> stack;
+        const slabs through(r);
+        struct visit {
+            std::int32_t node;
+            double entry;
+        };
+        std::array<visit, 64> stack;
         int depth = 0;
-        std::int32_t at = 0;
-        if (entry(nodes_[0], r, inverse) >= far) return;
+        visit at{0, through.entry(nodes_[0].box)};
         while (true) {
-            const node& n = nodes_[at];
-            if (n.count > 0) {
-                for (int i = n.first; i < n.first + n.count; ++i)
-                    if ((far = meet(order_[i], far)) <= 0) return;
-            } else {
-                std::int32_t a = at + 1, b = n.first;
-                double ta = entry(nodes_[a], r, inverse), tb = entry(nodes_[b], r, inverse);
-                if (tb < ta) std::swap(a, b), std::swap(ta, tb);
-                if (ta < far) {
-                    if (tb < far) stack[depth++] = b;
+            // What waited on the stack may lie behind what has been met since.
+            if (at.entry < far) {
+                const node& n = nodes_[at.node];
+                if (n.count == 0) {
+                    visit a{at.node + 1, through.entry(nodes_[at.node + 1].box)};
+                    visit b{n.first, through.entry(nodes_[n.first].box)};
+                    if (b.entry < a.entry) std::swap(a, b);
+                    if (b.entry < far) stack[depth++] = b;
                     at = a;
                     continue;
                 }
+                for (int i = n.first; i < n.first + n.count; ++i)
+                    if ((far = meet(order_[i], far)) <= 0) return;
             }
-            // A box on the stack may lie behind what has been met since.
-            do {
-                if (depth == 0) return;
-                at = stack[--depth];
-            } while (entry(nodes_[at], r, inverse) >= far);
+            if (depth == 0) return;
+            at = stack[--depth];
         }
     }
 
@@ -61,20 +62,32 @@ private:
         std::int32_t count = 0;  ///< 0 in an inner node
     };
 
-    /// Where the ray enters the box, infinity if it does not.  A direction of 0 gives 0 * infinity on the faces of the
-    /// box, whose NaN the comparisons turn into a hit.
-    static double entry(const node& n, const ray& r, const vec3& inverse) {
-        double first = 0, last = infinity;
-        for (int axis = 0; axis < 3; ++axis) {
-            double a = (n.box.low[axis] - r.origin[axis]) * inverse[axis];
-            double b = (n.box.high[axis] - r.origin[axis]) * inverse[axis];
-            if (b < a) std::swap(a, b);
-            if (a > first) first = a;
-            if (b < last) last = b;
+    /// A ray as the slabs of a box meet it.
+    class slabs {
+    public:
+        explicit slabs(const ray& r) : origin_(r.origin), inverse_(r.direction.cwiseInverse()) {
+            for (int axis = 0; axis < 3; ++axis) backwards_[axis] = inverse_[axis] < 0;
         }
-        // The slabs are rounded: a flat box must not be missed.
-        return first <= last * (1 + 1e-12) ? first : infinity;
-    }
+
+        /// Where the ray enters the box, infinity if it does not.  A direction of 0 gives 0 * infinity on the faces of
+        /// the box; its NaN fails all comparisons, which leaves the slab out.
+        [[gnu::always_inline]] double entry(const bounds& box) const {
+            const vec3* const side[2] = {&box.low, &box.high};
+            double first = 0, last = infinity;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double enter = ((*side[backwards_[axis]])[axis] - origin_[axis]) * inverse_[axis];
+                const double leave = ((*side[1 - backwards_[axis]])[axis] - origin_[axis]) * inverse_[axis];
+                first = enter > first ? enter : first;
+                last = leave < last ? leave : last;
+            }
+            // The slabs are rounded: a flat box must not be missed.
+            return first <= last * (1 + 1e-12) ? first : infinity;
+        }
+
+    private:
+        vec3 origin_, inverse_;
+        std::array<std::ptrdiff_t, 3> backwards_;
+    };
 
     int build(const std::vector<bounds>& boxes, int begin, int end, int depth = 0) {
         const int self = static_cast<int>(nodes_.size());
