@@ -34,9 +34,9 @@ struct given_of<planes<G...>, Given> {
 /// planes that the scene cannot give are left out.
 template <class Scene, class... Filters>
 requires gives_all<typename Scene::effects::gives, typename winnow::film_for<Filters...>::inputs>
-using film_for = film<
-    joined<typename winnow::film_for<Filters...>::planes,
-           typename detail::given_of<typename detail::optional_of<Filters>::type, typename Scene::effects::gives>::type...>>;
+using film_for = film<joined<
+    typename winnow::film_for<Filters...>::planes,
+    typename detail::given_of<typename detail::optional_of<Filters>::type, typename Scene::effects::gives>::type...>>;
 
 /// The film of everything that a scene can give: each guide with its variance and its halves.
 template <class... G>

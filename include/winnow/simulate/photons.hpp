@@ -113,11 +113,13 @@ bool trace_photon(const World& w, std::uint64_t seed, int half, int index, photo
     const sample_numbers random(pattern::independent, seed, w.frame(), index, half, half);
     double time = w.frame();
     if constexpr (effects::shutter) time += random(draw::time{});
-    const int light = w.choose(random(draw::light_choice{}));
-    if (light == w.sky_light()) return false;
+    // The sky, the last of the lights, sends none.
+    const double lamps = w.sky_light() < 0 ? 1 : 1 - w.choice_probability(w.sky_light());
+    const int light = w.choose(lamps * random(draw::light_choice{}));
+    if (light == w.sky_light()) return false;  // there are no lamps
     const auto from = w.as_light(light, [&](const auto& shape) { return detail::emit(shape, random(draw::light{})); });
     ray r{from.position, basis(from.normal).to_world(cosine_direction(random(draw::direction{})))};
-    rgb power = w.emission(light, r.direction) * (pi * from.area / w.choice_probability(light));
+    rgb power = w.emission(light, r.direction) * (pi * from.area * lamps / w.choice_probability(light));
     for (int bounce = 0; bounce < w.description().bounces; ++bounce) {
         const meeting m = w.meet(r, time);
         if (!m) return false;

@@ -49,9 +49,11 @@ photon_map shoot_photons(const World& w, const render_settings& s, extent size, 
     // In the order of their numbers, whoever found them.
     std::vector<photon> all;
     for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-    const view camera(w.camera_at(w.frame()), size);
-    const double pixel = std::sqrt(camera.solid_angle((w.camera_at(w.frame()).target - camera.eye()).normalized()));
-    return photon_map(std::move(all), count, 2 * pixel * w.radius());
+    // Cells about as large as what a pixel sees of the target.
+    const camera seen_by = w.camera_at(w.frame());
+    const vec3 axis = seen_by.target - seen_by.eye;
+    const double pixel = std::sqrt(view(seen_by, size).solid_angle(axis.normalized())) * axis.norm();
+    return photon_map(std::move(all), count, 2 * pixel);
 }
 
 }  // namespace detail

@@ -125,7 +125,7 @@ public:
 
     // Lights.
     int lights() const { return static_cast<int>(lights_.size()); }
-    int sky_light() const { return sky_light_; }  ///< its number, -1 without one
+    int sky_light() const { return sky_light_; }  ///< its number, the last one; -1 without a sky
     rgb emission(int light, const vec3& direction) const {
         const int part = lights_[light].part;
         return part == sky_part ? sky(direction) : scene_.materials[scene_.parts[part].material].emission;
