@@ -278,6 +278,9 @@ void prepare(scene& s, const filter_entry& filter) {
     const float share = share_of_halves(s.half_a_renders, s.half_b_renders);
     for (auto& [name, b] : s.guides) {
         const bool normalised = filter.unit_features && name != "color";
+        // Of one file, the variance is that of a renderer's samples, which may be stratified.
+        if (name == "color" && s.half_a_renders + s.half_b_renders <= 2 && b.variance.channels() && b.has_halves())
+            scale_variance_to_halves(b.variance.view(), b.half_a.view(), b.half_b.view(), b.variance.view(), 10, share);
         if (!b.variance.channels() && (name == "color" || normalised)) {
             if (b.has_halves()) {
                 b.variance = image<float>(b.mean.size(), b.mean.channels());

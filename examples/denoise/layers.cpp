@@ -119,12 +119,13 @@ std::optional<file_layer> layer_finder::guide(const guide_entry& g) const {
 
 std::optional<file_layer> layer_finder::companion(const guide_entry& g, const std::string& what) const {
     if (auto found = mapped(g.name + "." + what, g.channels)) return found;
-    names candidates;
-    if (const auto main = guide(g)) candidates.push_back(joined_name(layer_of(main->channels[0]), what));
-    candidates.push_back(g.name + "." + what);
-    if (g.name == "color") candidates.push_back(what);
+    const auto main = guide(g);
+    const std::string layer = main ? layer_of(main->channels[0]) : "";
+    names candidates = {joined_name(layer, what), g.name + "." + what};
+    // Beside the colour, in the same view layer; "albedo.variance" is not the colour's.
+    if (g.name == "color") candidates.push_back(joined_name(layer_of(layer), what)), candidates.push_back(what);
     for (const std::string& name : candidates)
-        if (auto found = find(name, g.channels, name == what ? false : true)) return found;
+        if (auto found = find(name, g.channels, true)) return found;
     return {};
 }
 

@@ -33,7 +33,8 @@ public:
                 std::fflush(stderr);
                 std::this_thread::sleep_for(std::chrono::milliseconds(50));
             }
-            std::fprintf(stderr, "\r%s: %ld %%              \n", who.c_str(), std::lround(100 * share()));
+            std::fprintf(stderr, "\r%*s\r%s: %ld %%\n", static_cast<int>(who.size()) + 30, "", who.c_str(),
+                         std::lround(100 * share()));
         });
     }
 

@@ -111,3 +111,42 @@ TEST_CASE("layers that do not fit are refused with their sizes") {
     CHECK_THROWS_WITH(variance_from_halves(a.view(), b.view(), a.view()), "the second half is 2x2, not 3x2");
     CHECK_THROWS_WITH(variance_from_halves(a.view(), a.view(), c.view()), "the variance has 3 channels, not 1");
 }
+
+TEST_CASE("the variance of stratified samples gets the magnitude of the halves and keeps its shape") {
+    // A true variance that varies over the image; what the samples show is four times that, what the halves show is
+    // right on average.
+    std::mt19937 random(3);
+    std::normal_distribution<float> noise;
+    const extent size{60, 50};
+    image<float> shown(size, 2), a(size, 2), b(size, 2), scaled(size, 2);
+    const auto truth = [](int x, int c) { return (x % 2 ? 0.01f : 0.03f) * (c ? 10.0f : 1.0f); };
+    for (int c = 0; c < 2; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                shown.at(x, y, c) = 4 * truth(x, c);
+                // Each half has twice the variance of the mean.
+                a.at(x, y, c) = 5 + std::sqrt(2 * truth(x, c)) * noise(random);
+                b.at(x, y, c) = 5 + std::sqrt(2 * truth(x, c)) * noise(random);
+            }
+    scale_variance_to_halves(shown.view(), a.view(), b.view(), scaled.view());
+    for (int c = 0; c < 2; ++c)
+        for (int y = 10; y < 40; ++y)
+            for (int x = 10; x < 49; ++x) {
+                // 441 squares of a normal: a relative deviation of sqrt(2 / 441), a quarter more for the two shares.
+                CHECK(std::abs(scaled.at(x, y, c) / truth(x, c) - 1) < 5 * 1.25f * std::sqrt(2.0f / 441));
+                // Of a neighbour, one column of 21 is another: five times sqrt(2 * 2 * 21) / 441, and a quarter more.
+                const float ratio = scaled.at(x + 1, y, c) / scaled.at(x, y, c);
+                CHECK(std::abs(ratio * truth(x, c) / truth(x + 1, c) - 1) < 0.13f);
+            }
+    // In place, and unknown values stay unknown.
+    shown.at(3, 3) = nan_value;
+    scale_variance_to_halves(shown.view(), a.view(), b.view(), shown.view());
+    CHECK(std::isnan(shown.at(3, 3)));
+    CHECK(std::abs(shown.at(30, 30) - scaled.at(30, 30)) < 1e-7f);
+    // Without variance at all the halves have nothing to scale.
+    image<float> none(size, 2);
+    scale_variance_to_halves(none.view(), a.view(), b.view(), none.view());
+    CHECK(none.at(30, 30) == 0);
+    CHECK_THROWS_AS(scale_variance_to_halves(image<float>({3, 3}, 2).view(), a.view(), b.view(), none.view()),
+                    invalid_input);
+}

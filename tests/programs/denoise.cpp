@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The contract of examples/denoise, kept by the built program.
-#include <sys/wait.h>
-
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <support/folder.hpp>
+#include <support/program.hpp>
 #include <winnow/io/exr.hpp>
 
 using namespace winnow;
 using test::folder;
+using test::outcome;
 
 namespace {
 
@@ -19,19 +18,8 @@ constexpr extent size{45, 34};
 const float nan_value = std::numeric_limits<float>::quiet_NaN();
 const float infinite = std::numeric_limits<float>::infinity();
 
-struct outcome {
-    int code;
-    std::string out, err;
-    int lines() const { return static_cast<int>(std::count(err.begin(), err.end(), '\n')); }
-};
-
-/// Runs the program; what it prints goes beside the folder's files, not among them.
 outcome denoise(const std::string& arguments, const std::string& before = "") {
-    const folder said;
-    const std::string command =
-        before + std::string(DENOISE) + " " + arguments + " >" + said.name("out") + " 2>" + said.name("err");
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said.read("out"), said.read("err")};
+    return test::run_program(before + std::string(DENOISE) + " " + arguments);
 }
 
 /// A red and a blue field with a bright edge, of which the diffuse part is a third.

@@ -8,6 +8,7 @@
 #include <vector>
 #include <winnow/core/error.hpp>
 #include <winnow/frame/unknown.hpp>
+#include <winnow/image/image.hpp>
 #include <winnow/image/plane.hpp>
 
 namespace winnow {
@@ -79,6 +80,27 @@ inline void smooth_variance(const source& variance, const target& to, int radius
         const source from = variance.channel(c);
         const auto valid = [&](int x, int y) { return from.at(x, y) >= 0 ? from.at(x, y) : detail::unknown; };
         detail::box_mean(valid, to.channel(c), radius);
+    }
+}
+
+/// The variance that the samples of each pixel show, at the magnitude that two halves show.  Samples that are
+/// stratified over a pixel vary more than independent ones of the same mean would: their variance has the right shape
+/// and is too large, while the halves are right and noisy.  Each value is scaled by the ratio of the averages of share
+/// (A - B)^2 and of the variance over the square of the given radius. Rousselle, Manzi, Zwicker, "Robust Denoising
+/// using Feature and Color Information", 2013, section 3. `to` may be `variance` itself, but must not overlap A or B.
+inline void scale_variance_to_halves(const source& variance, const source& a, const source& b, const target& to,
+                                     int radius = 10, float share = share_of_halves()) {
+    detail::check_same("the variance", variance, a);
+    image<float> halves(a.size), average(a.size);
+    for (int c = 0; c < variance.channels; ++c) {
+        const source from = variance.channel(c);
+        variance_from_halves(a.channel(c), b.channel(c), halves.view(), radius, share);
+        smooth_variance(from, average.view(), radius);
+        for (int y = 0; y < a.size.height; ++y)
+            for (int x = 0; x < a.size.width; ++x) {
+                const float by = average.at(x, y) > 1e-20f ? halves.at(x, y) / average.at(x, y) : 1;
+                to.channel(c).set(x, y, from.at(x, y) * (by < 1e-3f ? 1e-3f : by > 1e3f ? 1e3f : by));
+            }
     }
 }
 
