@@ -24,6 +24,11 @@ std::string joined_name(const std::string& layer, const std::string& component) 
     return layer.empty() ? component : layer + "." + component;
 }
 
+bool is_feature(const std::string& layer) {
+    const auto& guides = known_guides();
+    return std::any_of(guides.begin() + 1, guides.end(), [&](const auto& g) { return contains(g.aliases, layer); });
+}
+
 /// A layer's name, or the same behind the name of a view layer.
 bool is_called(const std::string& layer, const std::string& name, bool exact) {
     return layer == name || (!exact && !name.empty() && std::string_view(layer).ends_with("." + name));
@@ -120,10 +125,12 @@ std::optional<file_layer> layer_finder::guide(const guide_entry& g) const {
 std::optional<file_layer> layer_finder::companion(const guide_entry& g, const std::string& what) const {
     if (auto found = mapped(g.name + "." + what, g.channels)) return found;
     const auto main = guide(g);
-    const std::string layer = main ? layer_of(main->channels[0]) : "";
-    names candidates = {joined_name(layer, what), g.name + "." + what};
-    // Beside the colour, in the same view layer; "albedo.variance" is not the colour's.
-    if (g.name == "color") candidates.push_back(joined_name(layer_of(layer), what)), candidates.push_back(what);
+    names candidates = {joined_name(main ? layer_of(main->channels[0]) : "", what), g.name + "." + what};
+    // The colour's may stand in a view layer, but "albedo.variance" is not the colour's.
+    if (g.name == "color")
+        for (const std::string& layer : layers_)
+            if (is_called(layer, what, false) && !is_feature(component_of(layer_of(layer))))
+                candidates.push_back(layer);
     for (const std::string& name : candidates)
         if (auto found = find(name, g.channels, true)) return found;
     return {};
