@@ -33,6 +33,54 @@ void add_room(Scene& s, double half, int material) {
 
 }  // namespace
 
+namespace {
+
+/// Counts what a path draws.
+template <class Effects>
+struct counted_numbers {
+    random_numbers<Effects> numbers;
+    int& count;
+
+    template <class D>
+    requires(Effects::template draws<D>) auto operator()(D, int vertex = 0) const {
+        count += D::count;
+        return numbers(D{}, vertex);
+    }
+};
+
+/// How many random numbers a path draws that meets a floor, and nothing afterwards.
+template <class... E>
+int drawn() {
+    using shows = effects<E...>;
+    scene<shows, quad> s;
+    s.camera_at = [](double) { return straight_down(2, 1); };
+    s.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), s.add(material{.name = "floor", .albedo = grey(0.5)}));
+    s.sky = [](const vec3&) { return grey(1); };
+    const world w(s);
+    const path_tracer<decltype(w), typename shows::gives> trace(w, small);
+    int count = 0;
+    trace(3, 4,
+          counted_numbers<shows>{random_numbers<shows>(sample_numbers(pattern::stratified, 1, 0, 3, 4, 0)), count});
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("a path draws the numbers that its effects take, and no others") {
+    CHECK(drawn<>() == 2);  // where in the pixel
+    CHECK(drawn<effect::depth_of_field>() == 4);
+    CHECK(drawn<effect::translation>() == 3);
+    CHECK(drawn<effect::translation, effect::rotation, effect::camera_motion>() == 3);
+    CHECK(drawn<effect::texture, effect::bump, effect::frames, effect::fireflies>() == 2);
+    // A light and where on it; a lobe and where to.
+    CHECK(drawn<effect::area_light>() == 2 + 1 + 2 + 1 + 2);
+    CHECK(drawn<effect::area_light, effect::texture>() == 8);
+    CHECK(drawn<effect::area_light, effect::glossy, effect::mirror, effect::global_illumination>() == 8);
+    // How far the medium lets it, here and after the floor.
+    CHECK(drawn<effect::area_light, effect::medium>() == 8 + 2);
+    CHECK(drawn<effect::global_illumination>() == 2 + 1 + 2);
+}
+
 TEST_CASE("white furnace: in a room whose walls all shine and reflect, radiance is Le / (1 - a)") {
     using shows = effects<effect::area_light, effect::global_illumination>;
     scene<shows, quad> s;
