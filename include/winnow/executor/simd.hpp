@@ -90,7 +90,7 @@ private:
         if (m.step.row / line % 2 == 0) m.step.row += line;
         std::size_t offset = 0;
         const auto take = [&](std::size_t count) {
-            float* part = reinterpret_cast<float*>(base + offset);
+            float* part = base ? reinterpret_cast<float*>(base + offset) : nullptr;  // a plan has no memory
             offset += detail::aligned(sizeof(float) * count);
             return part;
         };
