@@ -10,6 +10,8 @@
 #include <winnow/simulate/pattern.hpp>
 #include <winnow/simulate/render.hpp>
 
+#include "support/timed.hpp"
+
 namespace {
 
 using namespace winnow;
@@ -48,11 +50,9 @@ void run(benchmark::State& state, const Scene& s, const kept* expected) {
     if (expected && std::memcmp(result.raw().data(), expected->raw().data(), result.raw().size()) != 0)
         return state.SkipWithError("declaring the effect has changed the picture");
     if (result.rejected() > 0) return state.SkipWithError("there are samples that are no numbers");
-    for (auto _ : state) benchmark::DoNotOptimize(rendered(w));
+    const double seconds = benchmarks::seconds_each(state, [&] { benchmark::DoNotOptimize(rendered(w)); });
     using effects = typename Scene::effects;
-    state.counters["ns/sample"] =
-        benchmark::Counter(static_cast<double>(size.pixels()) * samples * 1e-9,
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["ns/sample"] = 1e9 * seconds / (static_cast<double>(size.pixels()) * samples);
     state.counters["sample bytes"] = sizeof(sample<typename effects::gives>);
     state.counters["film bytes"] = complete_film<effects>::pixel_bytes;
     state.counters["numbers"] = effects::camera_numbers + effects::vertex_numbers;

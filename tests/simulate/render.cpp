@@ -41,7 +41,7 @@ film<watched> shown_with() {
 
 }  // namespace
 
-TEST_CASE("the same bits by 1, 2 and 7 threads and tiles of three sizes") {
+TEST_CASE("the same bits by 1, 2 and 7 threads and tiles of three sizes", "[threads]") {
     auto s = still_life<effects<effect::area_light, effect::mirror, effect::caustics, effect::global_illumination>>();
     s.add(sphere({-0.7, -0.5, 0.4}, 0.4), s.add(material{.name = "glass", .ior = 1.5}));
     const world w(s);
