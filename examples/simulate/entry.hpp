@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 #include <winnow/image/image.hpp>
 #include <winnow/simulate/random.hpp>
@@ -38,8 +40,7 @@ struct result {
     double seconds = 0;
 
     /// Keeps a guide's mean, its variance and its halves, in this order.
-    void keep(const std::string& guide, const std::vector<std::string>& channels,
-              const std::array<const image<float>*, 4>& images);
+    void keep(const std::string& guide, std::string_view letters, const std::array<const image<float>*, 4>& images);
 };
 
 /// One scene with all that its effects can give.
@@ -54,12 +55,15 @@ public:
     virtual int camera_numbers() const = 0;  ///< random numbers that a path takes at the camera
     virtual int vertex_numbers() const = 0;  ///< and at most at each vertex
     virtual std::size_t sample_bytes() const = 0;
-    /// Memory that a render of this size takes, with that many samples kept.  Fails for a size that is none.
+    /// Memory that a render of this size takes at most, with that many samples kept.  Fails for a size that is none.
     virtual std::size_t bytes(extent size, int kept_samples) const = 0;
-    /// Changes whenever the pictures do.
+    /// Of a small picture of the first frame: changes whenever that does.
     virtual std::uint64_t fingerprint() const = 0;
     virtual result render(const job& j, winnow::simulate::render_progress& progress) const = 0;
 };
+
+/// What a file says about how it was made.
+std::vector<std::pair<std::string, std::string>> attributes_of(const entry& scene, const job& j);
 
 /// All scenes, in the order of their names.
 const std::vector<std::unique_ptr<entry>>& scenes();

@@ -35,7 +35,8 @@ public:
     std::size_t sample_bytes() const override { return sizeof(winnow::sample<gives>); }
     std::size_t bytes(extent size, int kept_samples) const override {
         const std::size_t images = sizeof(float) * complete::planes::count * static_cast<std::size_t>(size.pixels());
-        return complete::bytes(size) + images + (kept_samples ? samples_of_all::bytes(size, kept_samples) : 0);
+        const std::size_t film = complete::bytes(size) + images;
+        return film + photon_bytes(size) + (kept_samples ? samples_of_all::bytes(size, kept_samples) : 0);
     }
 
     std::uint64_t fingerprint() const override {
@@ -59,17 +60,25 @@ public:
         r.seconds = since.seconds();
         r.rejected = all.film.rejected();
         if (progress.cancel) return r;
-        if (all.samples) winnow::io::write_deep_exr(j.deep, *all.samples);
+        if (all.samples) winnow::io::write_deep_exr(j.deep, *all.samples, attributes_of(*this, j));
         const auto images = all.film.develop();
         gives::for_each([&]<class G>(G g) {
             using namespace winnow;
-            r.keep(G::name(), io::channel_names(g),
+            r.keep(G::name(), io::channel_letters(g),
                    {&images[g], &images[variance(g)], &images[first_half(g)], &images[second_half(g)]});
         });
         return r;
     }
 
 private:
+    /// Two maps at a time; while one is made, its photons are there twice.
+    static std::size_t photon_bytes(extent size) {
+        if constexpr (!shows::template has<winnow::simulate::effect::caustics>) return 0;
+        const double photons = Scene::make().photons_per_sample * static_cast<double>(size.pixels()) *
+                               (winnow::simulate::detail::samples_per_photon_map / 2);
+        return static_cast<std::size_t>(3 * photons * sizeof(winnow::simulate::photon));
+    }
+
     /// A film, and all samples if they are asked for.
     struct kept {
         using inputs = gives;

@@ -76,18 +76,24 @@ std::vector<std::string> planes_of_filter(const std::string& filter) {
 }
 
 void check_given(const entry& scene, const std::vector<std::string>& wanted, const std::string& who) {
-    const std::vector<std::string> given = scene.guides();
+    const auto planes_of = [](const std::vector<std::string>& guides) {
+        std::vector<std::string> all;
+        for (const std::string& g : guides)
+            for (const char* statistic : {"", ".variance", ".halfA", ".halfB"}) all.push_back(g + statistic);
+        return all;
+    };
+    const std::vector<std::string> given = planes_of(scene.guides());
     for (const std::string& plane : wanted) {
-        const std::string guide = plane.substr(0, plane.find('.'));
-        if (contains(given, guide)) continue;
+        if (contains(given, plane)) continue;
         std::string by;
         std::vector<std::string> known = given;
         for (const effect_guides& e : effects()) {
-            if (contains(e.guides, guide)) by += (by.empty() ? "" : " or ") + e.name;
-            known.insert(known.end(), e.guides.begin(), e.guides.end());
+            const std::vector<std::string> possible = planes_of(e.guides);
+            if (contains(possible, plane)) by += (by.empty() ? "" : " or ") + e.name;
+            known.insert(known.end(), possible.begin(), possible.end());
         }
-        if (by.empty()) fail("there is no layer " + guide + programs::did_you_mean(guide, known));
-        fail(who + " needs " + guide + ", which " + scene.name() + " cannot give: it does not show " + by);
+        if (by.empty()) fail("there is no layer " + plane + programs::did_you_mean(plane, known));
+        fail(who + " needs " + plane + ", which " + scene.name() + " cannot give: it does not show " + by);
     }
 }
 

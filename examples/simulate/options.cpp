@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "options.hpp"
 
+#include <charconv>
 #include <iostream>
 #include <support/command_line.hpp>
 #include <thread>
@@ -22,9 +23,11 @@ bool ends_with(const std::string& name, const char* suffix) { return std::string
 
 extent parse_size(const std::string& said) {
     extent size;
-    char end = 0;
-    if (std::sscanf(said.c_str(), "%dx%d%c", &size.width, &size.height, &end) != 2)
-        winnow::fail("--size " + said + ": expected WIDTHxHEIGHT");
+    const char* end = said.data() + said.size();
+    const auto [x, wrong_width] = std::from_chars(said.data(), end, size.width);
+    if (wrong_width != std::errc() || x == end || *x != 'x') winnow::fail("--size " + said + ": expected WIDTHxHEIGHT");
+    const auto [rest, wrong_height] = std::from_chars(x + 1, end, size.height);
+    if (wrong_height != std::errc() || rest != end) winnow::fail("--size " + said + ": expected WIDTHxHEIGHT");
     if (size.width < 1 || size.height < 1) winnow::fail("--size " + said + ": there are no pixels");
     return size;
 }

@@ -16,11 +16,7 @@ winnow::io::exr_image as_exr(const entry& scene, const job& j, const result& r, 
         if (wanted(p.guide))
             for (std::size_t c = 0; c < p.channels.size(); ++c)
                 file.set(p.channels[c], winnow::source(p.values.view()).channel(static_cast<int>(c)));
-    file.set_attribute("winnow:version", WINNOW_VERSION);
-    file.set_attribute("winnow:scene", scene.name());
-    file.set_attribute("winnow:samples", std::to_string(j.settings.samples));
-    file.set_attribute("winnow:seed", std::to_string(j.settings.seed));
-    file.set_attribute("winnow:frame", std::to_string(j.frame));
+    for (const auto& [name, text] : attributes_of(scene, j)) file.set_attribute(name, text);
     return file;
 }
 

@@ -19,7 +19,9 @@ constexpr std::uint64_t first_seed = 1'000'001;  // no render has it by chance
 
 /// What a reference depends on.
 std::string key_of(const entry& scene, const job& j) {
-    return std::to_string(scene.fingerprint()) + " " + to_string(j.size) + " " + std::to_string(j.settings.samples);
+    const bool stratified = j.settings.pattern == simulate::pattern::stratified;
+    return std::to_string(scene.fingerprint()) + " " + to_string(j.size) + " " + std::to_string(j.settings.samples) +
+           " frame " + std::to_string(j.frame) + (stratified ? "" : " independent");
 }
 
 bool is_there(const std::filesystem::path& file, const std::string& key) {

@@ -176,6 +176,7 @@ TEST_CASE("references are made once, two independent ones, and again when they a
     const std::string again = make(tiny).first;
     CHECK(again.find("ramp_1.exr: there already") != std::string::npos);
     CHECK(again.find("ramp_2.exr: there already") != std::string::npos);
+    CHECK(make(tiny + "--frame 1").first.find("there already") == std::string::npos);
     CHECK(make("--size 32x24 --spp 4").first.find("there already") == std::string::npos);
     const io::exr_image first = io::read_exr(out / "refs/ramp_1.exr"), second = io::read_exr(out / "refs/ramp_2.exr");
     CHECK_FALSE(same(first, second));
@@ -200,6 +201,9 @@ TEST_CASE("bad usage is told in one line, and nothing is written") {
     CHECK(refusal("--scene cars --filter nl" + to) == "simulate: there is no filter nl; did you mean nlm?\n");
     CHECK(refusal("--scene ramp --layers visibility" + to) ==
           "simulate: --layers needs visibility, which ramp cannot give: it does not show area_light\n");
+    CHECK(refusal("--scene ramp --layers albedo.varience" + to) ==
+          "simulate: there is no layer albedo.varience; did you mean albedo.variance?\n");
+    CHECK(refusal("--scene cars --size 4294967304x6" + to) == "simulate: --size 4294967304x6: expected WIDTHxHEIGHT\n");
     CHECK(refusal("--scene ramp --layers albdo" + to) == "simulate: there is no layer albdo; did you mean albedo?\n");
     CHECK(refusal("--scene cars --size 0x9" + to) == "simulate: --size 0x9: there are no pixels\n");
     CHECK(refusal("--scene cars --size -4x9" + to) == "simulate: --size -4x9: there are no pixels\n");

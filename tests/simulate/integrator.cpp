@@ -210,16 +210,23 @@ TEST_CASE("a point of a turning wheel that is seen at all times keeps its rest p
     const world w(s);
     // The hub is at the corner of four pixels, whose rest positions have the hub as their mean; elsewhere they turn.
     statistic hub[2], radius;
-    test::of_samples<planes<position_t, rest_position_t>>(
+    double worst_angle = 0;
+    test::of_samples<planes<position_t, rest_position_t, shutter_time_t>>(
         w, {2, 2}, independent, [&](statistic&, const auto& p, int, int) {
             for (int c = 0; c < 2; ++c) hub[c].add(p.at(rest_position, c));
             const auto length = [&](auto g) { return std::hypot(p.at(g, 0), p.at(g, 1)); };
             if (length(position) < 0.9) radius.add(length(rest_position) - length(position));
+            // It has turned by 2 radians a frame since it was at rest.
+            const auto angle = [&](auto g) { return std::atan2(p.at(g, 1), p.at(g, 0)); };
+            const double turned = angle(position) - angle(rest_position) - 2 * p.at(shutter_time);
+            if (length(position) > 0.01 && length(position) < 0.9)
+                worst_angle = std::max(worst_angle, std::abs(std::remainder(turned, 2 * pi)));
         });
     CHECK(hub[0].allows(0));
     CHECK(hub[1].allows(0));
     CHECK(std::abs(radius.mean) < 1e-6);
     CHECK(radius.variance() < 1e-10);
+    CHECK((worst_angle > 0 && worst_angle < 1e-4));
 }
 
 TEST_CASE("behind the edge of a wall, the light of a window fades as the window is covered") {
@@ -280,27 +287,47 @@ TEST_CASE("the second hit is where the mirror image is") {
     CHECK(mirrored > 50);
 }
 
-TEST_CASE("motion vectors lead a still point to where it was in the previous frame") {
+TEST_CASE("motion vectors lead a point to where it was in the previous frame, still or moving") {
     using shows = effects<effect::frames, effect::translation>;
     scene<shows, quad, ellipsoid> s;
     s.camera_at = [](double t) {
         return camera{.eye = {0.1 * t, -4 + 0.05 * t, 1}, .target = {0.2 * t, 0, 0.5}, .field_of_view = 50};
     };
     const int paint = s.add(material{.name = "paint", .albedo = grey(0.5)});
+    const vec3 velocity(0.15, 0, 0.02);
     s.add(quad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}), paint);
+    s.add(sphere({0, 0, 0.4}, 0.5), paint, s.add(motion{.velocity = velocity}));
     const world w(s, 3);
-    const view before(s.camera_at(2), small);
+    const view before(s.camera_at(2), small), now(s.camera_at(3), small);
     const vec3 eye = s.camera_at(3).eye;
-    double longest = 0;
-    test::of_samples<planes<rest_position_t, image_point_t, motion_vector_t>>(
+    int still = 0, moving = 0;
+    test::of_samples<planes<rest_position_t, instance_t, motion_vector_t>>(
         w, small, {.samples = 4}, [&](statistic&, const auto& p, int, int) {
             const vec3 rest = vec3(p.at(rest_position, 0), p.at(rest_position, 1), p.at(rest_position, 2)) + eye;
-            const vec2 here(p.at(image_point, 0), p.at(image_point, 1)),
-                moved(p.at(motion_vector, 0), p.at(motion_vector, 1));
-            CHECK((here + moved - before.project(rest)).norm() < 1e-3);
-            longest = std::max(longest, moved.norm());
+            const bool moves = p.at(instance) == 2;
+            const vec3 was = moves ? vec3(rest + 2 * velocity) : rest, is = moves ? vec3(rest + 3 * velocity) : rest;
+            const vec2 moved(p.at(motion_vector, 0), p.at(motion_vector, 1));
+            CHECK((now.project(is) + moved - before.project(was)).norm() < 1e-3);
+            (moves ? moving : still) += 1;
         });
-    CHECK(longest > 0.3);
+    CHECK(still > 50);
+    CHECK(moving > 50);
+}
+
+TEST_CASE("what fog hides of the first surface is recorded all the same") {
+    using shows = effects<effect::area_light, effect::medium>;
+    scene<shows, quad> s;
+    s.camera_at = [](double) { return straight_down(2, 1); };
+    s.medium = {.extinction = 0.7, .albedo = grey(0.5), .anisotropy = 0};
+    s.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), s.add(material{.name = "floor", .albedo = grey(0.5)}));
+    s.add(quad({-1, -1, 3}, {0, 2, 0}, {2, 0, 0}), s.add(material{.name = "lamp", .emission = grey(1)}));
+    const world w(s);
+    for (const auto& [mean, truth] : {std::pair(test::mean_of<planes<brdf_t>>(w, small, independent, brdf), 0.5),
+                                      {test::mean_of<planes<albedo_t>>(w, small, independent, albedo), 0.5},
+                                      {test::mean_of<planes<visibility_t>>(w, small, independent, visibility), 1}}) {
+        CHECK(std::abs(mean.mean - truth) < 1e-6);
+        CHECK(mean.variance() < 1e-10);
+    }
 }
 
 TEST_CASE("radiance by the way it took adds up to the colour") {
@@ -324,6 +351,34 @@ TEST_CASE("radiance by the way it took adds up to the colour") {
             CHECK(std::abs(sum - p.at(color)) <= 1e-5 * (1 + p.at(color)));
         });
     for (const statistic& part : parts) CHECK(part.mean > 0);
+}
+
+TEST_CASE("the parts that a scene gives add up, however few effects it declares") {
+    const auto check = []<class Shows>(Shows) {
+        scene<Shows, quad> s;
+        s.camera_at = [](double) { return camera{.eye = {0, -2, 0.4}, .target = {0, 0, 0}, .field_of_view = 70}; };
+        if constexpr (Shows::template has<effect::medium>) s.medium = {.extinction = 0.3, .albedo = grey(0.8)};
+        add_room(s, 3, s.add(material{.name = "wall", .albedo = grey(0.4)}));
+        s.add(quad({-0.5, -0.5, 2.9}, {0, 1, 0}, {1, 0, 0}), s.add(material{.name = "lamp", .emission = grey(9)}));
+        const world w(s);
+        using given = typename Shows::gives;
+        const statistic missing =
+            test::of_samples<given>(w, small, {.samples = 16}, [](statistic& all, const auto& p, int, int) {
+                double sum = 0;
+                const auto add = [&]<class G>(G g) {
+                    if constexpr (contains<G, given>) sum += p.at(g);
+                };
+                add(emission), add(direct_diffuse), add(direct_specular), add(indirect_diffuse), add(indirect_specular);
+                all.add(p.at(color) - sum);
+            });
+        CHECK(std::abs(missing.mean) < 1e-5);
+        CHECK(missing.variance() < 1e-8);
+    };
+    check(effects<effect::area_light>{});
+    check(effects<effect::area_light, effect::medium>{});
+    check(effects<effect::global_illumination>{});
+    check(effects<effect::area_light, effect::global_illumination>{});
+    check(effects<effect::glossy>{});
 }
 
 TEST_CASE("a medium dims what is behind it by exp(-extinction distance)") {

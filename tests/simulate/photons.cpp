@@ -27,7 +27,9 @@ TEST_CASE("the grid finds exactly the photons of the disc") {
     std::uniform_real_distribution<double> u(-1, 1);
     std::vector<photon> photons;
     for (int i = 0; i < 3000; ++i)
-        photons.push_back({{u(random), u(random), i % 10 == 0 ? 0.5 : 0}, rgb(u(random) + 1, 1, 0)});
+        photons.push_back({{u(random), u(random), i % 10 == 0 ? 0.2 : 0},
+                           (i % 7 ? 1 : -1) * vec3::UnitZ(),
+                           rgb(u(random) + 1, 1, 0)});
     const photon_map map(photons, 10000, 0.07);
     REQUIRE(map.size() == 3000);
     for (const double radius : {0.01, 0.1, 0.4})
@@ -36,12 +38,14 @@ TEST_CASE("the grid finds exactly the photons of the disc") {
             rgb power = grey(0);
             int count = 0;
             for (const photon& f : photons)
-                if (f.position.z() == 0 && (f.position - p).norm() <= radius) power += f.power, ++count;
+                if (f.position.z() == 0 && f.facing.z() > 0 && (f.position - p).norm() <= radius)
+                    power += f.power, ++count;
             const photon_map::estimate e = map.at(p, vec3::UnitZ(), radius);
             const double share = 1 / (pi * radius * radius * 10000);
             CHECK(e.density == Approx(count * share));
             CHECK((e.irradiance - power * share).abs().maxCoeff() < 1e-9 * (1 + power.maxCoeff() * share));
         }
+    CHECK(photon_map({}, 0, 1).at(vec3::Zero(), vec3::UnitZ(), 1).density == 0);
     CHECK(photon_map().at(vec3::Zero(), vec3::UnitZ(), 1).density == 0);
 }
 
@@ -104,4 +108,51 @@ TEST_CASE(
     const double expected = 1 - 1 / (2 - 1 / (distance + 1));
     INFO("brightest at " << cusp << ", expected " << expected);
     CHECK(std::abs(cusp - expected) < 0.03);
+}
+
+TEST_CASE("without lamps there are no photons") {
+    photon p;
+    scene<effects<effect::mirror, effect::caustics>, quad> unlit;
+    unlit.add(quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), unlit.add(material{.name = "lamp", .emission = grey(1)}));
+    CHECK_FALSE(trace_photon(world(unlit), 1, 0, 0, p));
+    scene<shows, quad> sky_only;
+    sky_only.sky = [](const vec3&) { return grey(1); };
+    CHECK_FALSE(trace_photon(world(sky_only), 1, 0, 0, p));
+    scene<effects<effect::mirror, effect::caustics, effect::medium>, quad> foggy;
+    foggy.medium.extinction = 1;
+    CHECK_THROWS_WITH(world(foggy), "caustics in a medium are not simulated");
+}
+
+TEST_CASE("the time of a photon does not depend on where it goes") {
+    // Up from the lamp to a mirror that moves to the right, and down to the floor: where the photons arrive, the mirror
+    // was at all times alike.
+    scene<effects<effect::area_light, effect::mirror, effect::caustics, effect::translation>, quad> s;
+    s.add(quad({-9, -9, 0}, {18, 0, 0}, {0, 18, 0}), s.add(material{.name = "floor", .albedo = grey(0.5)}));
+    s.add(quad({-0.05, -0.05, 0.5}, {0.1, 0, 0}, {0, 0.1, 0}), s.add(material{.name = "lamp", .emission = grey(1)}));
+    const int mirror = s.add(material{.name = "mirror", .f0 = grey(1)});
+    // It covers x < 0 at the beginning and x < 1 at the end.
+    s.add(quad({-9, -9, 1}, {9, 0, 0}, {0, 18, 0}), mirror, s.add(motion{.velocity = {1, 0, 0}}));
+    const world w(s);
+    test::statistic share;
+    for (int i = 0; i < 100'000; ++i) {
+        photon p;
+        // Those that leave to the right meet the plane of the mirror at half the distance x that they come down.
+        const bool stored = trace_photon(w, 1, 0, i, p);
+        if (stored && p.position.x() > 0.6 && p.position.x() < 0.9) share.add(1);
+        else share.add(0);
+    }
+    // Cosine emission from height 0.5 to 1 and back: at x of the floor, x / 3 at the mirror; covered from time x / 3
+    // on. The share that leaves towards the strip is found by counting with a mirror that covers everything.
+    auto all = s;
+    all.objects.back() = motion{.velocity = {0, 0, 0}};
+    std::get<quad>(all.parts.back().shape) = quad({-9, -9, 1}, {18, 0, 0}, {0, 18, 0});
+    const world covered(all);
+    test::statistic expected;
+    for (int i = 0; i < 100'000; ++i) {
+        photon p;
+        const bool stored = trace_photon(covered, 2, 0, i, p) && p.position.x() > 0.6 && p.position.x() < 0.9;
+        expected.add(stored ? 1 - p.position.x() / 3 : 0);
+    }
+    INFO(share << ", expected " << expected);
+    CHECK(test::agree(share, expected));
 }

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <support/catch.hpp>
 #include <support/simulated.hpp>
+#include <thread>
 #include <winnow/simulate/pattern.hpp>
 
 using namespace winnow;
@@ -124,10 +125,25 @@ TEST_CASE("a render can be watched and cancelled") {
     render_progress progress;
     render(w, f, {.samples = 3}, executor::fresh_threads{2}, progress);
     CHECK(progress.done == 3 * size.pixels());
+    // From another thread, in the midst of it.
+    render_progress watched;
+    film<planes<color_t>> part(size);
+    {
+        const std::jthread impatient([&] {
+            while (watched.done == 0) std::this_thread::yield();
+            watched.cancel = true;
+        });
+        render(w, part, {.samples = 100'000, .tile = 4}, executor::fresh_threads{2}, watched);
+    }
+    CHECK(watched.done > 0);
+    CHECK(watched.done < 100'000 * size.pixels());
     progress.cancel = true;
     film<planes<color_t>> none(size);
     render(w, none, {.samples = 3}, executor::fresh_threads{2}, progress);
     CHECK(none.samples(0, 0) == 0);
     CHECK_THROWS_WITH(render(w, f, {.samples = 0}, executor::fresh_threads{1}),
                       "0 samples per pixel: there must be at least one");
+    CHECK_THROWS_WITH(render(w, f, {.first = -1}, executor::fresh_threads{1}), "the first sample is number -1, of 8");
+    CHECK_THROWS_WITH(render(w, f, {.tile = 0}, executor::fresh_threads{1}),
+                      "tiles of 0 pixels: there must be at least one");
 }

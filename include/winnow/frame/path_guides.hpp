@@ -7,9 +7,10 @@
 namespace winnow {
 
 // The first hit.
-WINNOW_GUIDE(rest_position, 3);     ///< where the hit point is when its object has not moved: s = M^-1 s'
-WINNOW_GUIDE(view_depth, 1);        ///< distance along the camera's axis
-WINNOW_GUIDE(emission, 3);          ///< radiance of what is seen directly; 0 but on lamps and in the sky
+WINNOW_GUIDE(rest_position, 3);  ///< where the hit point is when its object has not moved: s = M^-1 s'
+WINNOW_GUIDE(view_depth, 1);     ///< distance along the camera's axis
+WINNOW_GUIDE(emission,
+             3);  ///< radiance that comes by no surface: lamps and sky that are seen, light scattered by a medium
 WINNOW_GUIDE(caustic, 1);           ///< density of caustic photons, per unit of area and photon emitted
 WINNOW_GUIDE(brdf, 3);              ///< f cos / pdf of the direction that was sampled
 WINNOW_GUIDE(f0, 3);                ///< reflectance of the specular lobe at normal incidence
@@ -32,7 +33,7 @@ WINNOW_GUIDE(direct_specular, 3);
 WINNOW_GUIDE(indirect_diffuse, 3);
 WINNOW_GUIDE(indirect_specular, 3);
 
-// Random parameters in [0,1), as they were drawn.
+// Random parameters; in [0,1), as they were drawn, but for the first.
 WINNOW_GUIDE(image_point, 2);   ///< where in the image, in pixels
 WINNOW_GUIDE(lens_point, 2);    ///< where on the lens
 WINNOW_GUIDE(shutter_time, 1);  ///< when in the shutter

@@ -25,19 +25,27 @@ inline constexpr bool is_covariance = false;
 template <class G>
 inline constexpr bool is_covariance<covariance_of<G>> = true;
 
-/// The letters of the channels of a guide that is no statistic.
-template <class G>
-constexpr std::string_view letters() {
-    constexpr bool is_distance = std::is_same_v<G, depth_t> || std::is_same_v<G, view_depth_t>;
-    constexpr bool is_direction = std::is_same_v<G, normal_t> || std::is_same_v<G, normal2_t>;
-    if constexpr (G::channels == 1) return is_distance ? "Z" : "V";
-    else if constexpr (G::channels == 2) return "XY";
-    else if constexpr (is_direction || is_point<G>) return "XYZ";
-    else return "RGBA";
+}  // namespace detail
+
+/// The letters of the channels of a guide, or of what a statistic is about.
+template <guide G>
+constexpr std::string_view channel_letters(G) {
+    using base = typename detail::underlying<G>::type;
+    constexpr bool is_distance = std::is_same_v<base, depth_t> || std::is_same_v<base, view_depth_t>;
+    constexpr bool is_direction = std::is_same_v<base, normal_t> || std::is_same_v<base, normal2_t>;
+    static_assert(base::channels <= 4, "channels of files are called by single letters");
+    if constexpr (base::channels == 1) return is_distance ? "Z" : "V";
+    else if constexpr (base::channels == 2) return "XY";
+    else if constexpr (is_direction || is_point<base>) return "XYZ";
+    else return std::string_view("RGBA").substr(0, base::channels);
 }
 
-inline std::vector<std::string> channels_called(const std::string& plane, std::string_view letters,
-                                                bool covariance = false) {
+/// One name for each channel: the layer is called as the guide is, only that of the colour has no name of its own.
+///     R G B, halfA.R, variance.R;  albedo.R, albedo.variance.R;  normal.X, normal.halfA.X;  position.covariance.XX;
+///     depth.Z;  roughness.V;  motion_vector.X
+/// `plane` is the name of a guide ("color", "normal.halfA"); of a covariance, letters go in pairs.
+inline std::vector<std::string> channel_names(const std::string& plane, std::string_view letters,
+                                              bool covariance = false) {
     std::string layer = plane + ".";
     if (layer.starts_with("color.")) layer.erase(0, std::string_view("color.").size());
     std::vector<std::string> names;
@@ -49,17 +57,9 @@ inline std::vector<std::string> channels_called(const std::string& plane, std::s
     return names;
 }
 
-}  // namespace detail
-
-/// One name for each channel: the layer is called as the guide is, only that of the colour has no name of its own.
-///     R G B, halfA.R, variance.R;  albedo.R, albedo.variance.R;  normal.X, normal.halfA.X;  position.covariance.XX;
-///     depth.Z;  roughness.V;  motion_vector.X
 template <guide G>
-std::vector<std::string> channel_names(G) {
-    using base = typename detail::underlying<G>::type;
-    constexpr std::string_view letters = detail::letters<base>();
-    static_assert(base::channels <= static_cast<int>(letters.size()), "channels of files are called by single letters");
-    return detail::channels_called(G::name(), letters.substr(0, base::channels), detail::is_covariance<G>);
+std::vector<std::string> channel_names(G g) {
+    return channel_names(G::name(), channel_letters(g), detail::is_covariance<G>);
 }
 
 /// Those of all guides of a list, in its order.

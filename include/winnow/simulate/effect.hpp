@@ -21,8 +21,8 @@ concept effect_policy = plays<E, role::effect> && requires {
 
 namespace effect {
 
-using second_hit =
-    planes<position2_t, normal2_t, albedo2_t, hit_distance_t, brdf_t, indirect_diffuse_t, indirect_specular_t>;
+using second_hit = planes<position2_t, normal2_t, albedo2_t, hit_distance_t, brdf_t, direct_diffuse_t,
+                          indirect_diffuse_t, indirect_specular_t>;
 
 /// A thin lens: what is not in focus spreads over a circle.
 struct depth_of_field {
@@ -73,7 +73,9 @@ struct mirror {
     using draws = dimensions<draw::lobe, draw::roulette>;
     using gives = joined<second_hit, planes<direct_specular_t, specular_share_t, f0_t, cosine_t>>;
 };
-/// Light by way of mirrors and glass onto diffuse surfaces, by photons; paths no longer carry it.
+/// Light by way of mirrors and glass onto diffuse surfaces, by photons; paths no longer carry it.  The samples of one
+/// half share photons: what these bring varies less from sample to sample than from half to half, so that its variance
+/// is to be taken from the halves (frame/variance.hpp).
 struct caustics {
     using role = role::effect;
     static std::string name() { return "caustics"; }
@@ -106,7 +108,7 @@ struct medium {
     using role = role::effect;
     static std::string name() { return "medium"; }
     using draws = dimensions<draw::free_flight, draw::direction, draw::roulette>;
-    using gives = planes<transmittance_t, scatter_distance_t>;
+    using gives = planes<transmittance_t, scatter_distance_t, indirect_diffuse_t>;
 };
 /// Light goes from diffuse surface to diffuse surface.
 struct global_illumination {

@@ -13,6 +13,7 @@ namespace winnow::simulate {
 
 /// How direct light is found: by choosing points of lights, by following the directions that surfaces choose, or by
 /// both, weighted by the power heuristic (Veach 1997).  The mean is the same.
+/// Visibility is that of light samples: it is 1 where there are none.
 enum class direct_light { both, by_lights, by_surfaces };
 
 /// Follows one path for each sample.  The world must outlive it.
@@ -109,7 +110,7 @@ private:
                 const double flight = free_flight(p, c);
                 if (p.vertex == 1) record.medium(c.s, m, flight);
                 if (flight < m.distance) {
-                    if (p.vertex == 1 && met) see_visibility(*met, c);
+                    if (p.vertex == 1 && met) see_surface(p, *met, record, c);
                     if (p.vertex > world_.description().bounces || !survives(p, c)) break;
                     scatter_in_medium(p, flight, c);
                     continue;
@@ -123,11 +124,7 @@ private:
             if constexpr (has<effect::caustics>)
                 if (c.photons) collect_photons(p, *met, c);
             if constexpr (effects::template draws<draw::lobe>) {
-                const scattered next = scatters.sample(c.random(draw::lobe{}, p.vertex), [&] {
-                    if constexpr (effects::template draws<draw::direction>)
-                        return c.random(draw::direction{}, p.vertex);
-                    else return vec2(0, 0);  // only mirrors, which need none
-                });
+                const scattered next = choose_direction(scatters, p.vertex, c);
                 if (p.vertex == 1) record.scattering_of(c.s, scatters.specular_share(), next);
                 if ((next.weight == 0).all()) break;
                 leave(p, *met, next);
@@ -178,12 +175,25 @@ private:
         add(lobe::specular, first ? way::direct_specular : p.lit(), specular);
     }
 
-    /// The surface behind a medium that has scattered the path before it: only whether it sees its light.
     template <class Context>
-    void see_visibility([[maybe_unused]] const surface& s, [[maybe_unused]] Context& c) const {
+    static scattered choose_direction(const scattering<effects>& scatters, int vertex, const Context& c) {
+        return scatters.sample(c.random(draw::lobe{}, vertex), [&] {
+            if constexpr (effects::template draws<draw::direction>) return c.random(draw::direction{}, vertex);
+            else return vec2(0, 0);  // only mirrors, which need none
+        });
+    }
+
+    /// The first surface, behind a medium that has scattered the path before it: only what is recorded of it.
+    template <class Context>
+    void see_surface([[maybe_unused]] const path& p, [[maybe_unused]] const surface& s,
+                     [[maybe_unused]] const recorder<World, Planes>& record, [[maybe_unused]] Context& c) const {
         if constexpr (has<effect::area_light> && contains<visibility_t, Planes>)
             if (world_.lights() > 0)
                 c.s.set(visibility = sees(s, choose_light(1, s.position, s.shading, c), c.time) ? 1 : 0);
+        if constexpr (contains<brdf_t, Planes> || contains<specular_share_t, Planes>) {
+            const scattering<effects> scatters(s, -p.r.direction);
+            record.scattering_of(c.s, scatters.specular_share(), choose_direction(scatters, 1, c));
+        }
     }
 
     template <class Context>

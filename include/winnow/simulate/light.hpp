@@ -14,11 +14,19 @@ struct light_sample {
     double pdf;       ///< per solid angle; 0 where the light cannot be seen from here
 };
 
-/// A shape that can be a light can be sampled from a point, and tells the density of a direction that meets it.
+/// A point of a light, for photons; even over its area.
+struct emission_point {
+    vec3 position, normal;
+    double area;
+};
+
+/// A shape that can be a light can be sampled from a point, tells the density of a direction that meets it, and where
+/// its photons start.
 template <class S>
 concept light_shape = shape<S> && requires(const S& s, const vec3& from, const ray& r, const vec2& u) {
     { sample_light(s, from, u) } -> std::same_as<light_sample>;
     { light_pdf(s, r, 0.0) } -> std::same_as<double>;
+    { emit(s, u) } -> std::same_as<emission_point>;
 };
 
 /// By area, one-sided.
@@ -31,6 +39,11 @@ inline light_sample sample_light(const quad& q, const vec3& from, const vec2& u)
     const double distance = to.norm();
     const vec3 direction = to / distance;
     return {direction, distance, light_pdf(q, {from, direction}, distance)};
+}
+
+inline emission_point emit(const quad& q, const vec2& u) {
+    const vec3 p = q.point(u);
+    return {p, q.at(p).normal, q.area()};
 }
 
 namespace detail {
@@ -57,6 +70,12 @@ inline light_sample sample_light(const ellipsoid& s, const vec3& from, const vec
     const double t = s.intersect(r, 0);
     // On the rim rounding may let the ray pass.
     return {direction, t < infinity ? t : (s.centre() - from).norm(), 1 / (2 * pi * cone)};
+}
+
+inline emission_point emit(const ellipsoid& sphere, const vec2& u) {
+    const vec3 n = polar_direction(1 - 2 * u.x(), u.y());
+    const double r = sphere.radii().x();
+    return {sphere.centre() + r * n, n, 4 * pi * r * r};
 }
 
 static_assert(light_shape<quad> && light_shape<ellipsoid> && !light_shape<triangle>);

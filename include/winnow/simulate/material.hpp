@@ -29,7 +29,7 @@ struct material {
     double selection = 1;    ///< as a light: how often it is chosen, relative to others; see effect::fireflies
 
     map<rgb> texture = nullptr;           ///< times the albedo
-    map<double> height = nullptr;         ///< bumps: height over the surface, in world units
+    map<double> height = nullptr;         ///< bumps: height over the surface, in world units; by `rest`, not uv
     map<double> roughness_map = nullptr;  ///< instead of the roughness
 
     bool emits() const { return (emission > 0).any(); }

@@ -12,7 +12,8 @@ namespace winnow::simulate {
 
 struct photon {
     vec3 position;
-    rgb power;  ///< of the photon times the number that was emitted
+    vec3 facing;  ///< normal of the surface, on the side that was met
+    rgb power;    ///< of the photon times the number that was emitted
 };
 
 /// Photons found by where they are: a hash grid.
@@ -48,9 +49,10 @@ public:
                     const std::uint32_t b = bucket(c);
                     for (std::uint32_t i = first_[b]; i < first_[b + 1]; ++i) {
                         const vec3 d = photons_[i].position - p;
-                        // Cells that share a bucket, and photons of a surface around the corner, are not of the disc.
+                        // Photons of a surface around the corner or of the other side are not of the disc; cells may
+                        // share a bucket.
                         if (d.squaredNorm() > radius * radius || std::abs(d.dot(normal)) > 0.1 * radius) continue;
-                        if (cell_of(photons_[i].position) != c) continue;
+                        if (photons_[i].facing.dot(normal) <= 0 || cell_of(photons_[i].position) != c) continue;
                         e.density += 1;
                         e.irradiance += photons_[i].power;
                     }
@@ -86,39 +88,21 @@ private:
     std::vector<photon> photons_;
 };
 
-namespace detail {
-
-/// Where on a light a photon starts, and the normal there; even over the area.
-struct emission_point {
-    vec3 position, normal;
-    double area;
-};
-inline emission_point emit(const quad& q, const vec2& u) {
-    const vec3 p = q.point(u);
-    return {p, q.at(p).normal, q.area()};
-}
-inline emission_point emit(const ellipsoid& sphere, const vec2& u) {
-    const vec3 n = polar_direction(1 - 2 * u.x(), u.y());
-    const double r = sphere.radii().x();
-    return {sphere.centre() + r * n, n, 4 * pi * r * r};
-}
-
-}  // namespace detail
-
 /// Follows photon number `index` of a stream.  Returns false if it does not come by a mirror or glass onto a diffuse
 /// surface.  Nothing but mirrors, glass and the area lights takes part; photons of moving objects have a random time.
 template <class World>
 bool trace_photon(const World& w, std::uint64_t seed, int half, int index, photon& stored) {
     using effects = typename World::effects;
+    if (w.lights() == 0) return false;
     const sample_numbers random(pattern::independent, seed, w.frame(), index, half, half);
     double time = w.frame();
     if constexpr (effects::shutter) time += random(draw::time{});
-    // The sky, the last of the lights, sends none.
+    // The lamp is vertex 1.  The sky, the last of the lights, sends no photons.
     const double lamps = w.sky_light() < 0 ? 1 : 1 - w.choice_probability(w.sky_light());
-    const int light = w.choose(lamps * random(draw::light_choice{}));
+    const int light = w.choose(lamps * random(draw::light_choice{}, 1));
     if (light == w.sky_light()) return false;  // there are no lamps
-    const auto from = w.as_light(light, [&](const auto& shape) { return detail::emit(shape, random(draw::light{})); });
-    ray r{from.position, basis(from.normal).to_world(cosine_direction(random(draw::direction{})))};
+    const auto from = w.as_light(light, [&](const auto& shape) { return emit(shape, random(draw::light{}, 1)); });
+    ray r{from.position, basis(from.normal).to_world(cosine_direction(random(draw::direction{}, 1)))};
     rgb power = w.emission(light, r.direction) * (pi * from.area * lamps / w.choice_probability(light));
     for (int bounce = 0; bounce < w.description().bounces; ++bounce) {
         const meeting m = w.meet(r, time);
@@ -126,13 +110,13 @@ bool trace_photon(const World& w, std::uint64_t seed, int half, int index, photo
         const surface s = w.at(r, m, time);
         const scattering<effects> scatters(s, -r.direction);
         const double passed_on = scatters.is_delta() ? scatters.specular_share() : 0;
-        if (random(draw::lobe{}, bounce + 1) >= passed_on) {
+        const double choice = random(draw::lobe{}, bounce + 2);
+        if (choice >= passed_on) {
             if (bounce == 0 || !(s.albedo > 0).any()) return false;
-            stored = {s.position, power / (1 - passed_on)};  // also for those that are passed on
+            stored = {s.position, s.facing, power / (1 - passed_on)};  // also for those that are passed on
             return true;
         }
-        const scattered next =
-            scatters.sample(random(draw::lobe{}, bounce + 1), [&] { return random(draw::direction{}, bounce + 1); });
+        const scattered next = scatters.sample(choice, [&] { return random(draw::direction{}, bounce + 2); });
         power *= next.weight;
         r = {s.position, next.direction};
     }

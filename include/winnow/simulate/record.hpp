@@ -48,10 +48,13 @@ public:
         if constexpr (contains<motion_vector_t, Planes>) {
             const int object = met ? met->object : 0;
             const vec3 rest = met ? met->rest : p.position;
-            const vec2 from = previous_.project(world_.carried(object, rest, world_.frame() - 1));
-            s.set(motion_vector = vec2(from - now_.project(world_.carried(object, rest, world_.frame()))));
+            const vec3 before = world_.carried(object, rest, world_.frame() - 1);
+            const vec3 here = world_.carried(object, rest, world_.frame());
+            // What was behind the camera has come from nowhere in the image.
+            const bool seen = previous_.depth(before) > 0 && now_.depth(here) > 0;
+            s.set(motion_vector = seen ? vec2(previous_.project(before) - now_.project(here)) : vec2(0, 0));
         }
-        second(s, r, {}, std::nullopt);  // unless there is one
+        second(s, {p.position, r.direction}, {}, std::nullopt);  // unless there is one
     }
     /// Where the direction that was chosen at the first surface leads.
     void second(sample<Planes>& s, const ray& r, const meeting& m, const std::optional<surface>& met) const {

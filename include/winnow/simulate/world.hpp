@@ -51,7 +51,7 @@ public:
             all.grow(boxes.back());
         }
         tree_ = bvh(boxes);
-        radius_ = boxes.empty() ? 1 : (all.high - all.low).norm() / 2;
+        if (!boxes.empty()) radius_ = (all.high - all.low).norm() / 2, centre_ = all.centre();
         find_lights();
     }
 
@@ -59,13 +59,14 @@ public:
     int frame() const { return frame_; }
     /// Of a ball around everything, at least.
     double radius() const { return radius_; }
+    const vec3& centre() const { return centre_; }
 
     camera camera_at(double time) const { return scene_.camera_at ? scene_.camera_at(time) : camera{}; }
 
     /// The nearest part on the ray.
-    meeting meet(const ray& r, double time, double far = infinity) const {
-        meeting m{far, -1};
-        tree_.walk(r, far, [&](int i, double limit) {
+    meeting meet(const ray& r, double time) const {
+        meeting m;
+        tree_.walk(r, infinity, [&](int i, double limit) {
             const double t = intersect(scene_.parts[i], r, time);
             if (t < limit) m = {t, i}, limit = t;
             return limit;
@@ -231,7 +232,14 @@ private:
             needs(m.moves(), has<effect::translation>, "an object moves", effect::translation::name());
             needs(m.turns(), has<effect::rotation>, "an object turns", effect::rotation::name());
         }
-        needs(scene_.medium.extinction != 0, has<effect::medium>, "there is a medium", effect::medium::name());
+        const homogeneous_medium& fog = scene_.medium;
+        needs(fog.extinction != 0, has<effect::medium>, "there is a medium", effect::medium::name());
+        if (!(fog.extinction >= 0) || !(std::abs(fog.anisotropy) < 1))
+            fail("the medium has an extinction of " + std::to_string(fog.extinction) + " and an anisotropy of " +
+                 std::to_string(fog.anisotropy) + ": expected 0 or more, and between -1 and 1");
+        if (fog.extinction > 0 && has<effect::caustics>) fail("caustics in a medium are not simulated");
+        if (!(scene_.photons_per_sample >= 0))
+            fail(std::to_string(scene_.photons_per_sample) + " photons per sample: expected 0 or more");
         needs(scene_.sky_selection != 1, has<effect::fireflies>, "the sky is chosen unlike lights",
               effect::fireflies::name());
         for (const auto& part : scene_.parts) {
@@ -258,6 +266,7 @@ private:
     int frame_;
     bvh tree_;
     double radius_ = 1;
+    vec3 centre_ = vec3::Zero();
     std::vector<light> lights_;
     std::vector<int> light_of_part_;
     int sky_light_ = -1;

@@ -37,9 +37,9 @@ struct fireflies {
 
         s.add(quad({-0.3, -0.3, 1.99}, 0.6 * Y, 0.6 * X),
               s.add({.name = "lamp", .emission = rgb(1.0, 0.85, 0.65) * 8}));
-        // Chosen five times less often than the lamp: what it lights is noisy, too.
-        s.add(sphere({-0.85, 0.55, 0.3}, 0.0065),
-              s.add({.name = "spark", .emission = rgb(0.75, 0.88, 1.0) * 1e4, .selection = 0.2}));
+        // Thousands of times as bright as the walls, and chosen less often than the lamp: what it lights is noisy, too.
+        s.add(sphere({-0.85, 0.55, 0.3}, 0.02),
+              s.add({.name = "spark", .emission = rgb(0.75, 0.88, 1.0) * 1.1e3, .selection = 0.5}));
         return s;
     }
 };
