@@ -253,7 +253,8 @@ private:
         p.r = {s.position, next.direction};
         if (next.is_delta()) {
             p.goes_on = has<effect::mirror>;
-            p.caustic = has<effect::caustics> && p.diffused;
+            // Photons bring only the light of lights.
+            p.caustic = has<effect::caustics> && has<effect::area_light> && p.diffused;
         } else {
             p.diffused = next.by == lobe::diffuse;
             p.goes_on = p.diffused ? has<effect::global_illumination> : has<effect::glossy>;
