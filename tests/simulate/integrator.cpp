@@ -85,13 +85,13 @@ TEST_CASE("white furnace: in a room whose walls all shine and reflect, radiance 
     using shows = effects<effect::area_light, effect::global_illumination>;
     scene<shows, quad> s;
     s.camera_at = [](double) { return camera{.eye = {0.3, 0.1, 0.2}, .target = {1, 0.5, 0}}; };
-    const double albedo = 0.6;
-    add_room(s, 1, s.add(material{.name = "wall", .albedo = grey(albedo), .emission = grey(0.5)}));
+    const double reflected = 0.6;
+    add_room(s, 1, s.add(material{.name = "wall", .albedo = grey(reflected), .emission = grey(0.5)}));
     for (const int bounces : {2, 8, 1000}) {
         s.bounces = bounces;
         const world w(s);
         // The sum that ends after so many bounces.
-        const double truth = 0.5 * (1 - std::pow(albedo, bounces + 1)) / (1 - albedo);
+        const double truth = 0.5 * (1 - std::pow(reflected, bounces + 1)) / (1 - reflected);
         const statistic mean = test::mean_of<planes<color_t>>(w, small, independent, color);
         INFO(bounces << " bounces: " << mean << ", truth " << truth);
         CHECK(mean.allows(truth));
@@ -107,7 +107,7 @@ TEST_CASE("furnace of a rough metal: under a sky of 1 it shows its directional a
                             {0.5, 0.1, 0.93707, 0.03214},
                             {0.5, 1, 0.44771, 0.00299},
                             {0.2, 0.5, 0.74891, 0.04102}})
-        for (const double f0 : {1.0, 0.04}) {
+        for (const double at_normal : {1.0, 0.04}) {
             static double cosine;
             cosine = o.cosine;
             scene<shows, quad> s;
@@ -119,11 +119,11 @@ TEST_CASE("furnace of a rough metal: under a sky of 1 it shows its directional a
             };
             s.sky = [](const vec3&) { return grey(1); };
             s.add(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}),
-                  s.add(material{.name = "metal", .f0 = grey(f0), .roughness = std::sqrt(o.alpha)}));
+                  s.add(material{.name = "metal", .f0 = grey(at_normal), .roughness = std::sqrt(o.alpha)}));
             const world w(s);
             const statistic mean = test::mean_of<planes<color_t>>(w, small, independent, color);
-            const double truth = f0 * o.a + o.b;
-            INFO("cosine " << o.cosine << ", alpha " << o.alpha << ", F0 " << f0 << ": " << mean << ", truth "
+            const double truth = at_normal * o.a + o.b;
+            INFO("cosine " << o.cosine << ", alpha " << o.alpha << ", F0 " << at_normal << ": " << mean << ", truth "
                            << truth);
             // The table has five digits, of 1024 samples.
             CHECK(std::abs(mean.mean - truth) <= 4 * mean.standard_error() + 2e-3 * truth);
@@ -160,11 +160,11 @@ TEST_CASE("a lamp out of focus spreads over the circle that optics says, to a te
     s.camera_at = [](double) {
         return camera{.eye = {0, 0, 0}, .target = {0, 1, 0}, .field_of_view = 20, .lens_radius = 0.25, .focus = 4};
     };
-    const double depth = 8, radius = 0.1;
-    s.add(sphere({0, depth, 0}, radius), s.add(material{.name = "lamp", .emission = grey(1)}));
+    const double away = 8, radius = 0.1;
+    s.add(sphere({0, away, 0}, radius), s.add(material{.name = "lamp", .emission = grey(1)}));
     const world w(s);
     const extent size{40, 40};
-    const double f = 20 / std::tan(10 * pi / 180), circle = 0.25 * (1.0 / 4 - 1 / depth) * f, lamp = radius / depth * f;
+    const double f = 20 / std::tan(10 * pi / 180), circle = 0.25 * (1.0 / 4 - 1 / away) * f, lamp = radius / away * f;
     // The mean squared distance from the middle is half the squared radius of each disc that the image is blurred by.
     const statistic spread = test::of_samples<planes<color_t, image_point_t>>(
         w, size, {.samples = 600, .pattern = pattern::independent}, [&](statistic& all, const auto& p, int, int) {

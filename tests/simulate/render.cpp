@@ -87,7 +87,7 @@ TEST_CASE("half buffers are independent: a quarter of their squared difference i
     const world w(still_life<effects<effect::area_light>>());
     constexpr extent few{6, 4};
     for (const simulate::pattern p : {pattern::stratified, pattern::independent}) {
-        statistic from_halves, from_samples, spread;
+        statistic from_halves, from_samples;
         std::vector<statistic> means(static_cast<std::size_t>(few.pixels()));
         for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
             const auto images = test::rendered<planes<color_t, variance_of<color_t>, half_a<color_t>, half_b<color_t>>>(
