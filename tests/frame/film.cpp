@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <support/catch.hpp>
+#include <support/folder.hpp>
 #include <support/patterns.hpp>
 #include <thread>
 #include <winnow/estimator/standard_error.hpp>
@@ -64,16 +65,6 @@ std::string other_bits(const developed<Planes>& a, const developed<Planes>& b) {
 
 bool same_bits(const std::span<const std::byte>& a, const std::span<const std::byte>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size()) == 0;
-}
-
-template <class F>
-std::string message_of(const F& f) {
-    try {
-        f();
-    } catch (const invalid_input& e) {
-        return e.what();
-    }
-    return "";
 }
 
 full_film filled(extent size, int spp, data kind = data::plain) {

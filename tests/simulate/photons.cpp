@@ -124,21 +124,21 @@ TEST_CASE("without lamps there are no photons") {
 }
 
 TEST_CASE("the time of a photon does not depend on where it goes") {
-    // Up from the lamp to a mirror that moves to the right, and down to the floor: where the photons arrive, the mirror
-    // was at all times alike.
+    // Up from the lamp to a mirror that moves towards -y, the way of the first coordinate of a direction, and down to
+    // the floor: where the photons arrive, the mirror was at all times alike.
     scene<effects<effect::area_light, effect::mirror, effect::caustics, effect::translation>, quad> s;
     s.add(quad({-9, -9, 0}, {18, 0, 0}, {0, 18, 0}), s.add(material{.name = "floor", .albedo = grey(0.5)}));
     s.add(quad({-0.05, -0.05, 0.5}, {0.1, 0, 0}, {0, 0.1, 0}), s.add(material{.name = "lamp", .emission = grey(1)}));
     const int mirror = s.add(material{.name = "mirror", .f0 = grey(1)});
-    // It covers x < 0 at the beginning and x < 1 at the end.
-    s.add(quad({-9, -9, 1}, {9, 0, 0}, {0, 18, 0}), mirror, s.add(motion{.velocity = {1, 0, 0}}));
+    // It covers y > 0 at the beginning and y > -1 at the end.
+    s.add(quad({-9, 0, 1}, {18, 0, 0}, {0, 9, 0}), mirror, s.add(motion{.velocity = {0, -1, 0}}));
     const world w(s);
     test::statistic share;
     for (int i = 0; i < 100'000; ++i) {
         photon p;
-        // Those that leave to the right meet the plane of the mirror at half the distance x that they come down.
+        // Those that leave towards -y meet the plane of the mirror at a third of the distance at which they come down.
         const bool stored = trace_photon(w, 1, 0, i, p);
-        if (stored && p.position.x() > 0.6 && p.position.x() < 0.9) share.add(1);
+        if (stored && -p.position.y() > 0.6 && -p.position.y() < 0.9) share.add(1);
         else share.add(0);
     }
     // Cosine emission from height 0.5 to 1 and back: at x of the floor, x / 3 at the mirror; covered from time x / 3
@@ -150,8 +150,8 @@ TEST_CASE("the time of a photon does not depend on where it goes") {
     test::statistic expected;
     for (int i = 0; i < 100'000; ++i) {
         photon p;
-        const bool stored = trace_photon(covered, 2, 0, i, p) && p.position.x() > 0.6 && p.position.x() < 0.9;
-        expected.add(stored ? 1 - p.position.x() / 3 : 0);
+        const bool stored = trace_photon(covered, 2, 0, i, p) && -p.position.y() > 0.6 && -p.position.y() < 0.9;
+        expected.add(stored ? 1 + p.position.y() / 3 : 0);
     }
     INFO(share << ", expected " << expected);
     CHECK(test::agree(share, expected));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <winnow/simulate/world.hpp>
 
-#include <support/catch.hpp>
+#include <support/folder.hpp>
 
 using namespace winnow;
 using namespace winnow::simulate;
@@ -18,12 +18,7 @@ template <class Effects>
 std::string refusal(const material& m) {
     any_scene<Effects> s;
     s.add(quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), s.add(m));
-    try {
-        world w(s);
-    } catch (const invalid_input& e) {
-        return e.what();
-    }
-    return "";
+    return test::message_of([&] { world w(s); });
 }
 
 ray down(double x, double y) { return {{x, y, 5}, {0, 0, -1}}; }

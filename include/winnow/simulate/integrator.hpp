@@ -16,7 +16,8 @@ namespace winnow::simulate {
 /// Visibility is that of light samples: it is 1 where there are none.
 enum class direct_light { both, by_lights, by_surfaces };
 
-/// Follows one path for each sample.  The world must outlive it.
+/// Follows one path for each sample.  The world must outlive it.  Points are relative to the eye of the camera at the
+/// opening of the shutter.
 template <class World, class Planes>
 class path_tracer {
 public:
@@ -59,8 +60,6 @@ public:
         follow(p, c);
         return s;
     }
-    /// The camera at the opening of the shutter, to whose eye points are relative.
-    const view& camera() const { return view_; }
 
 private:
     /// One sample's surroundings.
