@@ -89,6 +89,15 @@ TEST_CASE("a frame without noise has no outliers, one with a third of it in a pi
     CHECK(search(all).has(0, 20, 15));
 }
 
+TEST_CASE("a step of half floats is no outlier, however even the rest is") {
+    std::vector<image<>> all(2, fill(size, 1, [](int, int, int) { return 1.0; }));
+    all[1].at(28, 15) = 50;  // so that nothing near is trusted
+    all[0].at(20, 15) = 1.02f;
+    CHECK(search(all).places == std::vector<place>{{1, 28, 15}});
+    all[0].at(20, 15) = 1.2f;
+    CHECK(search(all).has(0, 20, 15));
+}
+
 TEST_CASE("a bright pixel is trusted by the noise within reach") {
     // The star is 30 in both halves; a firefly of f has a standard error of f / 2, the star is trusted up to 10.
     const auto kept = [](float firefly, int distance, int reach) {

@@ -86,6 +86,18 @@ TEST_CASE("the energy of many is kept, that of few is not, and all is accounted 
     }
 }
 
+TEST_CASE("half of what six equal ones hold is put back over nine pixels") {
+    image<> a = fill({19, 13}, 1, [](int, int, int) { return 1.0; }), b = a;
+    for (int i = 0; i < 6; ++i) (i % 2 ? a : b).at(6 * (i % 3) + 3, 6 * (i / 3) + 3) = 19;
+    const outliers_found found = suppress_outliers(a.view(), b.view(), a.view(), b.view(), {}, {.reach = 18});
+    CHECK(found.count == 6);
+    CHECK(found.spread[0] == Approx(6 * 9.0 / 2 / (19 * 13)));
+    CHECK(found.removed[0] == Approx(6 * 9.0 / 2 / (19 * 13)));
+    for (int x = 2; x <= 4; ++x) CHECK(b.at(x, 4) == Approx(2));
+    CHECK(b.at(5, 4) == 1);
+    CHECK(a.at(3, 3) == 1);
+}
+
 TEST_CASE("ordinary noise costs next to nothing") {
     const halves h = lit({100, 80}, 0);
     const mended m(h);
@@ -118,13 +130,17 @@ TEST_CASE("samples are mended as renders are") {
     std::vector<source> from;
     std::vector<target> to;
     for (auto& s : samples) from.emplace_back(s.view()), to.emplace_back(s.view());
-    const outliers_found found = suppress_outliers(from, to);
+    image<> count({40, 40});
+    const outliers_found found = suppress_outliers(from, to, {{}, count.view()});
     CHECK(found.spread[0] == Approx(0.9).epsilon(0.15));  // 128 events: a deviation of 9 %
     double most = 0, sum = 0;
     for (const auto& s : samples)
         detail::for_pixels(
             s.size(), [&](int x, int y) { most = std::max(most, double{s.at(x, y)}), sum += s.at(x, y) / 8 / 1600; });
     CHECK(most < 45);
+    double marked = 0;
+    detail::for_pixels(count.size(), [&](int x, int y) { marked += count.at(x, y); });
+    CHECK(marked == static_cast<double>(found.count));
     CHECK(sum == Approx(1.1 + found.spread[0]).epsilon(0.02));
 }
 
