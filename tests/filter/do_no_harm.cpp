@@ -66,6 +66,29 @@ double error(const image<>& i) {
 
 }  // namespace
 
+TEST_CASE("a case worked by hand") {
+    // One channel; everywhere a - b = 2, f_a - f_b = 1 and f - u = 1.2: Var = 1, Cov = 1/2, harm = 1.44 - 2 (1 - 1/2).
+    const auto level = [](double v) { return fill({7, 7}, 1, [=](int, int, int) { return v; }); };
+    const auto expected = [](double pixels, double sigmas) {
+        const double error = std::sqrt((4 * 1.44 + 6) / pixels);
+        return 1 - std::clamp(0.44 / error - sigmas, 0.0, 1.0) * (1 - 0.5 / 1.44);
+    };
+    triple in{level(5), level(6), level(4)}, filtered{level(6.2), level(6.7), level(5.7)};
+    const do_no_harm_numbers numbers{.radius = 2, .wide = 3, .sigmas = 0.25};
+    for (bool whole : {true, false}) {
+        const image<> lambda = lambda_of(in, filtered, numbers);
+        CHECK(lambda.at(3, 3) == Approx(expected(49, 0.25)));
+        CHECK(lambda.at(0, 6) == Approx(expected(16, 0.25)));
+        CHECK(lambda.at(0, 3) == Approx(expected(28, 0.25)));
+        // Without one pixel the means are the same.
+        if (whole) in.mean.at(2, 3) = std::numeric_limits<float>::quiet_NaN();
+    }
+    CHECK(lambda_of(in, filtered, {.radius = 3, .wide = 2, .sigmas = 0.25}).at(3, 3) == Approx(expected(49, 0.25)));
+    CHECK(lambda_of(in, filtered, {.radius = 2, .wide = 2, .sigmas = 0.25}).at(3, 3) == Approx(expected(25, 0.25)));
+    CHECK(expected(49, 0.25) < 0.6);
+    CHECK(expected(25, 0.25) > 0.7);
+}
+
 TEST_CASE("what a filter did well is kept, what it destroyed is brought back") {
     for (double noise : {0.01, 0.05, 0.1}) {
         const triple in = noisy({120, 60}, noise), filtered = boxed(in);

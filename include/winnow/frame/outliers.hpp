@@ -29,7 +29,7 @@ struct outliers_found {
 ///
 /// Variances are to be taken from what was mended.  A mean that lies beside the renders becomes consistent with them
 /// when `maps.removed` is subtracted; filtered as a further layer and added to the result, that map gives all energy
-/// back.  Values that are no numbers are passed through.
+/// back.  Values that are no numbers are passed through.  Throws invalid_input before any work if sizes differ.
 inline outliers_found suppress_outliers(std::span<const source> renders, std::span<const target> mended,
                                         const outlier_maps& maps = {}, const outlier_numbers& n = {}) {
     if (renders.size() < 2) fail("outliers: there is no other render to compare with");
