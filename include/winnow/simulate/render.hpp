@@ -7,6 +7,7 @@
 #include <limits>
 #include <winnow/core/error.hpp>
 #include <winnow/frame/sample.hpp>
+#include <winnow/frame/sample_counts.hpp>
 #include <winnow/image/extent.hpp>
 #include <winnow/simulate/integrator.hpp>
 
@@ -22,6 +23,13 @@ struct render_settings {
     simulate::pattern pattern = pattern::stratified;
     direct_light direct = direct_light::both;
     int tile = 32;  ///< pixels a side
+};
+
+/// Which samples of each pixel: numbers first(x, y) to first(x, y) + count(x, y) - 1.  A render that goes on where each
+/// pixel has stopped, with the counts so far as `first`, continues its sequence and keeps its halves in balance.
+struct pixel_samples {
+    const sample_counts& first;
+    const sample_counts& count;
 };
 
 /// How far a render is; may be read, and `cancel` set, from any thread while it goes on.
@@ -60,6 +68,105 @@ photon_map shoot_photons(const World& w, const render_settings& s, extent size, 
     return photon_map(std::move(all), count, 2 * pixel * distance);
 }
 
+/// Sample numbers first .. last - 1.
+struct sample_range {
+    int first, last;
+
+    sample_range within(const sample_range& r) const {
+        const int from = std::max(first, r.first);
+        return {from, std::max(from, std::min(last, r.last))};
+    }
+};
+
+/// Those of each pixel, or the same of all.
+struct sample_ranges {
+    sample_range all;                     ///< from the lowest to the highest number that any pixel has
+    const pixel_samples* each = nullptr;  ///< null: all
+
+    sample_range operator()(int x, int y) const {
+        if (!each) return all;
+        const int from = each->first.at(x, y);
+        return {from, from + each->count.at(x, y)};
+    }
+    /// The lowest number from `from` on that a pixel has; all.last where there is none.
+    int next(int from, extent size) const {
+        if (!each) return std::min(from, all.last);
+        int lowest = all.last;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                if (const sample_range own = (*this)(x, y); own.first < own.last && from < own.last)
+                    lowest = std::min(lowest, std::max(from, own.first));
+        return lowest;
+    }
+};
+
+inline sample_ranges ranges_of(const render_settings& s) {
+    if (s.samples < 1) fail(std::to_string(s.samples) + " samples per pixel: there must be at least one");
+    if (s.first < 0 || s.first > std::numeric_limits<int>::max() - s.samples)
+        fail("the first sample is number " + std::to_string(s.first) + ", of " + std::to_string(s.samples));
+    return {{s.first, s.first + s.samples}};
+}
+inline sample_ranges ranges_of(const pixel_samples& samples, extent size) {
+    for (const sample_counts* map : {&samples.first, &samples.count})
+        if (map->size() != size)
+            fail("the map of sample counts is " + to_string(map->size()) + ", the film is " + to_string(size));
+    sample_range all{std::numeric_limits<int>::max(), 0};
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const int first = samples.first.at(x, y), count = samples.count.at(x, y);
+            if (first < 0 || count < 0 || first > std::numeric_limits<int>::max() - count)
+                fail("pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is to get " + std::to_string(count) +
+                     " samples from number " + std::to_string(first) + " on");
+            if (count > 0) all = {std::min(all.first, first), std::max(all.last, first + count)};
+        }
+    return {all, &samples};
+}
+
+template <class World, class Film, class Pool>
+void render_ranges(const World& w, Film& film, const sample_ranges& samples, const render_settings& settings,
+                   const Pool& pool, render_progress& progress) {
+    if (settings.tile < 1) fail("tiles of " + std::to_string(settings.tile) + " pixels: there must be at least one");
+    const extent size = film.size();
+    const path_tracer<World, typename Film::inputs> trace(w, size, settings.direct);
+    constexpr bool photons = World::effects::template has<effect::caustics>;
+    const std::int64_t side = settings.tile, columns = (size.width + side - 1) / side;
+    const std::int64_t tiles = columns * ((size.height + side - 1) / side);
+    for (sample_range batch = samples.all; batch.first < samples.all.last;
+         batch.first = samples.next(batch.last, size)) {
+        batch.last = samples.all.last;
+        std::array<photon_map, photons ? 2 : 0> maps;
+        if constexpr (photons) {
+            if (batch.last - batch.first > samples_per_photon_map) batch.last = batch.first + samples_per_photon_map;
+            for (int half = 0; half < 2; ++half)
+                maps[half] = shoot_photons(w, settings, size, batch.first, batch.last - batch.first, half, pool,
+                                           progress.cancel);
+        }
+        std::atomic<std::int64_t> next = 0;
+        pool.run(pool.size(), [&](int) {
+            for (std::int64_t tile; (tile = next++) < tiles && !progress.cancel;) {
+                const int x0 = static_cast<int>(tile % columns * side), y0 = static_cast<int>(tile / columns * side);
+                const int x1 = static_cast<int>(std::min<std::int64_t>(x0 + side, size.width));
+                const int y1 = static_cast<int>(std::min<std::int64_t>(y0 + side, size.height));
+                std::int64_t done = 0;
+                for (int y = y0; y < y1; ++y)
+                    for (int x = x0; x < x1; ++x) {
+                        const sample_range own = samples(x, y).within(batch);
+                        for (int i = own.first; i < own.last; ++i) {
+                            const random_numbers<typename World::effects> random(
+                                sample_numbers(settings.pattern, settings.seed, w.frame(), x, y, i));
+                            const photon_map* map = nullptr;
+                            if constexpr (photons) map = &maps[static_cast<std::size_t>(i % 2)];
+                            film.add(x, y, i, trace(x, y, random, map));
+                        }
+                        done += own.last - own.first;
+                    }
+                progress.done += done;
+            }
+        });
+        if (progress.cancel) return;
+    }
+}
+
 }  // namespace detail
 
 /// Adds samples to every pixel of the film; a film of guides that the scene cannot give does not compile.  The pool is
@@ -67,49 +174,30 @@ photon_map shoot_photons(const World& w, const render_settings& s, extent size, 
 template <class World, class Film, class Pool>
 requires gives_all<typename World::effects::gives, typename Film::inputs>
 void render(const World& w, Film& film, const render_settings& settings, const Pool& pool, render_progress& progress) {
-    if (settings.samples < 1) fail(std::to_string(settings.samples) + " samples per pixel: there must be at least one");
-    if (settings.first < 0 || settings.first > std::numeric_limits<int>::max() - settings.samples)
-        fail("the first sample is number " + std::to_string(settings.first) + ", of " +
-             std::to_string(settings.samples));
-    if (settings.tile < 1) fail("tiles of " + std::to_string(settings.tile) + " pixels: there must be at least one");
-    const extent size = film.size();
-    const path_tracer<World, typename Film::inputs> trace(w, size, settings.direct);
-    constexpr bool photons = World::effects::template has<effect::caustics>;
-    const int batch = photons ? detail::samples_per_photon_map : settings.samples;
-    const std::int64_t side = settings.tile, columns = (size.width + side - 1) / side;
-    const std::int64_t tiles = columns * ((size.height + side - 1) / side);
-    const int last = settings.first + settings.samples;
-    for (int from = settings.first, to; from < last; from = to) {
-        to = last - from > batch ? from + batch : last;
-        std::array<photon_map, photons ? 2 : 0> maps;
-        if constexpr (photons)
-            for (int half = 0; half < 2; ++half)
-                maps[half] = detail::shoot_photons(w, settings, size, from, to - from, half, pool, progress.cancel);
-        std::atomic<std::int64_t> next = 0;
-        pool.run(pool.size(), [&](int) {
-            for (std::int64_t tile; (tile = next++) < tiles && !progress.cancel;) {
-                const int x0 = static_cast<int>(tile % columns * side), y0 = static_cast<int>(tile / columns * side);
-                const int x1 = static_cast<int>(std::min<std::int64_t>(x0 + side, size.width));
-                const int y1 = static_cast<int>(std::min<std::int64_t>(y0 + side, size.height));
-                for (int y = y0; y < y1; ++y)
-                    for (int x = x0; x < x1; ++x)
-                        for (int i = from; i < to; ++i) {
-                            const random_numbers<typename World::effects> random(
-                                sample_numbers(settings.pattern, settings.seed, w.frame(), x, y, i));
-                            const photon_map* map = nullptr;
-                            if constexpr (photons) map = &maps[static_cast<std::size_t>(i % 2)];
-                            film.add(x, y, i, trace(x, y, random, map));
-                        }
-                progress.done += std::int64_t{x1 - x0} * (y1 - y0) * (to - from);
-            }
-        });
-        if (progress.cancel) return;
-    }
+    detail::render_ranges(w, film, detail::ranges_of(settings), settings, pool, progress);
 }
 template <class World, class Film, class Pool>
 void render(const World& w, Film& film, const render_settings& settings, const Pool& pool) {
     render_progress unwatched;
     render(w, film, settings, pool, unwatched);
+}
+
+/// The same with other samples in each pixel; `samples` and `first` of the settings are not looked at:
+///     render(w, film, {.first = had, .count = more}, settings, pool);  had += more;
+/// Counts that are all the same give the bits of the render above.  Photons are shot anew for each 16 numbers, from the
+/// lowest on that a pixel asks for, and as many as if every pixel asked for all of them: a pixel alone sees as many
+/// photons for each of its samples as in company.
+template <class World, class Film, class Pool>
+requires gives_all<typename World::effects::gives, typename Film::inputs>
+void render(const World& w, Film& film, const pixel_samples& samples, const render_settings& settings, const Pool& pool,
+            render_progress& progress) {
+    detail::render_ranges(w, film, detail::ranges_of(samples, film.size()), settings, pool, progress);
+}
+template <class World, class Film, class Pool>
+void render(const World& w, Film& film, const pixel_samples& samples, const render_settings& settings,
+            const Pool& pool) {
+    render_progress unwatched;
+    render(w, film, samples, settings, pool, unwatched);
 }
 
 }  // namespace winnow::simulate
