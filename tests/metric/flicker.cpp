@@ -94,4 +94,7 @@ TEST_CASE("what is no sequence is refused with the numbers") {
     const sequence pair{{{1}, {1}}, {{1}, {1}}};
     CHECK_THROWS_WITH(metric::luminance_flicker(pair.frames), "luminance is that of 1 or 3 channels, not of 2");
     CHECK_THROWS_WITH(metric::luminance_flicker(std::array<source, 2>{}), Catch::Contains("not of 0"));
+    const std::array<source, 2> empty{image_view<const float>(nullptr, {0, 0}, 3, {}),
+                                      image_view<const float>(nullptr, {0, 0}, 3, {})};
+    CHECK_THROWS_WITH(metric::luminance_flicker(empty), Catch::Contains("nothing to compare"));
 }
