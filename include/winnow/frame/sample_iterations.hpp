@@ -6,8 +6,8 @@
 
 namespace winnow {
 
-/// A budget in equal shares, sampled one after the other: the first uniformly, the others by the density that a filter
-/// of all samples so far asks for.  The density is in proportion to what an iteration adds, whatever a pixel has had.
+/// A budget in equal shares, sampled one after the other: the first uniformly, the others in proportion to the density
+/// that a filter of all samples so far asks for, whatever a pixel has had.
 ///     sample_counts had(plan.size);
 ///     for (int k = 0; k < plan.iterations; ++k) {
 ///         const sample_counts more = plan.counts(k, density);
