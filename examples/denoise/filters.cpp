@@ -6,7 +6,7 @@
 #include <support/nearest.hpp>
 #include <type_traits>
 #include <variant>
-#include <winnow/estimator/standard_error.hpp>
+#include <winnow/estimator/residual_variance.hpp>
 #include <winnow/executor/openmp.hpp>
 #include <winnow/executor/simd.hpp>
 #include <winnow/paper/joint_bilateral.hpp>
@@ -42,8 +42,9 @@ void run(const filter<W, Window, E>& f, const job& j) {
     if (j.error) out.error(j.error->view());
     for (const further_layer& layer : j.layers) out.layer(layer.mean, layer.filtered);
     next_pass(j, 0, 1);
-    with_executor(j.executor, j.threads,
-                  [&](const auto& executor) { f.with(estimator::standard_error{})(j.frame, out, executor, j.memory); });
+    with_executor(j.executor, j.threads, [&](const auto& executor) {
+        f.with(estimator::residual_variance{})(j.frame, out, executor, j.memory);
+    });
 }
 
 /// As dual_buffer itself, but layers that come in halves are filtered half by half like the colour: so they still add
@@ -78,7 +79,8 @@ void run(const dual_buffer<F>& dual, const job& j) {
     const auto mean = [](float x, float y) { return (x + y) / 2; };
     combine(a.color.view(), b.color.view(), j.filtered.view(), mean);
     if (j.error)
-        combine(a.color.view(), b.color.view(), j.error->view(), [](float x, float y) { return std::abs(x - y) / 2; });
+        combine(a.color.view(), b.color.view(), j.error->view(),
+                [](float x, float y) { return (x - y) * (x - y) / 4; });
     for (std::size_t i = 0; i < j.layers.size(); ++i)
         combine(a.layers[i].view(), b.layers[i].view(), j.layers[i].filtered, mean);
 }

@@ -20,8 +20,8 @@ using namespace winnow;
 using programs::stopwatch;
 
 struct results {
-    rectangle window;  ///< what was asked for, relative to the data window
-    image<float> filtered, error;
+    rectangle window;              ///< what was asked for, relative to the data window
+    image<float> filtered, error;  ///< the error squared
     std::vector<image<float>> layers;
 };
 
@@ -128,28 +128,36 @@ void write_output(const options& o, const scene& s, const results& r, const std:
     io::write_exr(o.output, file);
 }
 
+/// The root of a squared error; an estimate below 0 counts as none.
+image<float> root(const image<float>& squared) {
+    image<float> r = squared;
+    for (int c = 0; c < r.channels(); ++c)
+        for (int y = 0; y < r.size().height; ++y)
+            for (int x = 0; x < r.size().width; ++x) r.at(x, y, c) = std::sqrt(std::max(0.0f, r.at(x, y, c)));
+    return r;
+}
+
 void write_error(const options& o, const scene& s, const results& r) {
+    image<float> error = root(r.error);
     if (!is_png(o.error)) {
         io::exr_image file(in_file(r.window, s.carried));
-        set_channels(file, {"R", "G", "B"}, r.error);
+        set_channels(file, {"R", "G", "B"}, error);
         file.set_attribute("winnow:version", WINNOW_VERSION);
         file.set_attribute("winnow:filter", o.filter);
         return io::write_exr(o.error, file);
     }
     // As an eye would see it: against the brightness of its pixel, and full at a half of it.
-    image<float> relative = r.error;
     for (int c = 0; c < 3; ++c)
-        for (int y = 0; y < relative.size().height; ++y)
-            for (int x = 0; x < relative.size().width; ++x)
-                relative.at(x, y, c) /= std::abs(r.filtered.at(x, y, c)) + 0.1f;
-    io::write_error_png(o.error, source(relative.view()), 0.5f);
+        for (int y = 0; y < error.size().height; ++y)
+            for (int x = 0; x < error.size().width; ++x) error.at(x, y, c) /= std::abs(r.filtered.at(x, y, c)) + 0.1f;
+    io::write_error_png(o.error, source(error.view()), 0.5f);
 }
 
-double mean_square(const image<float>& error) {
+double mean(const image<float>& error) {
     double sum = 0;
     for (int c = 0; c < error.channels(); ++c)
         for (int y = 0; y < error.size().height; ++y)
-            for (int x = 0; x < error.size().width; ++x) sum += double{error.at(x, y, c)} * error.at(x, y, c);
+            for (int x = 0; x < error.size().width; ++x) sum += error.at(x, y, c);
     return sum / static_cast<double>(error.size().pixels() * error.channels());
 }
 
@@ -193,7 +201,7 @@ void denoise_files(options o) {
     write_output(o, s, r, entry.shown(values));
     said.write_seconds = writing.seconds();
 
-    if (with_error) said.estimated_mse = mean_square(r.error);
+    if (with_error) said.estimated_mse = mean(r.error);
     if (!o.reference.empty()) {
         const source truth(image_view<const float>(reference.view().crop(window)));
         said.input = compare(source(image_view<const float>(s.color().mean.view()).crop(window)), truth);

@@ -10,7 +10,8 @@
 #include <winnow/distance/spatial.hpp>
 #include <winnow/distance/squared_difference.hpp>
 #include <winnow/estimator/none.hpp>
-#include <winnow/estimator/standard_error.hpp>
+#include <winnow/estimator/residual_variance.hpp>
+#include <winnow/estimator/sure.hpp>
 #include <winnow/executor/serial.hpp>
 #include <winnow/filter/candidates.hpp>
 #include <winnow/filter/dual_buffer.hpp>

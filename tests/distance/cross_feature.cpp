@@ -34,7 +34,22 @@ TEST_CASE("the feature distance, by hand, with each of its three floors") {
     CHECK(depths_apart(2, 2, 0.1f, 0.3f, 0) == Approx(-8).epsilon(1e-6));
 }
 
-TEST_CASE("the distances of the channels add up") {
+TEST_CASE("channels are one vector: its squared difference over its noise or its contrast, whichever is more") {
+    neighbourhood<feature<normal_t>> around({2, 1});
+    const float q[] = {0.4f, 0.2f, -0.6f}, noise[] = {0.01f, 0, 0.03f}, contrast[] = {0, 0.05f, 0};
+    for (int c = 0; c < 3; ++c) {
+        around.at(normal, 1, 0, c) = q[c];
+        around.at(variance(normal), 0, 0, c) = noise[c];
+        around.at(gradient_of<normal_t>{}, 0, 0, c) = contrast[c];
+    }
+    // (.16 + .04 + .36 - .01 - .03) / (.25 max(.04, .05))
+    CHECK(cross(normal, {.k = 0.5f})(around.pair(0, 0, 1, 0)) == Approx(0.52 / 0.0125).epsilon(1e-5));
+    // A quarter more noise in the first channel: (.56 - .05 - .03) / (.25 * .08)
+    around.at(variance(normal), 0, 0, 0) = 0.05f;
+    CHECK(cross(normal, {.k = 0.5f})(around.pair(0, 0, 1, 0)) == Approx(0.48 / 0.02).epsilon(1e-5));
+}
+
+TEST_CASE("where there is neither noise nor contrast, tau is the unit") {
     neighbourhood<feature<normal_t>> around({2, 1});
     const float q[] = {0.1f, 0.2f, -0.3f};
     for (int c = 0; c < 3; ++c) around.at(normal, 1, 0, c) = q[c];

@@ -85,13 +85,15 @@ struct naive {
     }
 
     double feature_distance(const image<>& i, const image<>& variance, int px, int py, int qx, int qy) const {
-        double sum = 0;
+        double unexplained = 0, noise = 0, contrast = 0;
         for (int c = 0; c < i.channels(); ++c) {
             const double d = at(i, px, py, c) - at(i, qx, qy, c);
             const double vp = at(variance, px, py, c), vq = at(variance, qx, qy, c);
-            sum += (d * d - (vp + std::min(vp, vq))) / (0.6 * 0.6 * std::max({1e-3, vp, gradient(i, px, py, c)}));
+            unexplained += d * d - (vp + std::min(vp, vq));
+            noise += vp;
+            contrast += gradient(i, px, py, c);
         }
-        return sum;
+        return unexplained / (0.6 * 0.6 * std::max({1e-3, noise, contrast}));
     }
 };
 

@@ -6,5 +6,5 @@ const auto f = filter{gaussian(spatial, 3)};
 #ifdef WINNOW_WRONG
 const auto g = f.with(spatial);
 #else
-const auto g = f.with(estimator::standard_error{});
+const auto g = f.with(estimator::residual_variance{});
 #endif

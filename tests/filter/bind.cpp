@@ -123,7 +123,7 @@ TEST_CASE_METHOD(fixture, "results of another size or number of channels are ref
 
 TEST_CASE_METHOD(fixture, "an error image without an estimator is refused, and the way out told") {
     CHECK(contains_all(complaint(nlm(), layers, output{result}.error(other.view())),
-                       {"no estimator", "filter.with(estimator::standard_error{})"}));
+                       {"no estimator", "filter.with(estimator::residual_variance{})"}));
     CHECK(untouched());
 }
 

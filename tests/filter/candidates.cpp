@@ -5,7 +5,7 @@
 #include "support/catch.hpp"
 #include "support/filters.hpp"
 #include "winnow/distance/squared_difference.hpp"
-#include "winnow/estimator/standard_error.hpp"
+#include "winnow/estimator/residual_variance.hpp"
 #include "winnow/weight/gaussian.hpp"
 
 using namespace winnow;
@@ -38,8 +38,8 @@ TEST_CASE("each candidate writes its own outputs, and only those asked for") {
 
 TEST_CASE("candidates report their errors one by one") {
     const buffers in = make_buffers(size);
-    const auto a = narrow.with(estimator::standard_error{});
-    const auto b = wide.with(estimator::standard_error{});
+    const auto a = narrow.with(estimator::residual_variance{});
+    const auto b = wide.with(estimator::residual_variance{});
     image<> error_a(size, 3), error_b(size, 3), expected(size, 3);
     candidates{a, b}(in.layers(), {output{}.error(error_a.view()), output{}.error(error_b.view())});
     a(in.layers(), output{}.error(expected.view()));

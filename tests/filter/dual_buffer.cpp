@@ -67,7 +67,8 @@ TEST_CASE("mean, error and further layers of the dual buffer follow from its two
         CHECK(other_bits(
                   mean, fill(size, 3, [&](int x, int y, int c) { return (a.at(x, y, c) + b.at(x, y, c)) / 2; })) == "");
         CHECK(other_bits(error, fill(size, 3, [&](int x, int y, int c) {
-                             return std::abs(a.at(x, y, c) - b.at(x, y, c)) / 2;
+                             const float difference = a.at(x, y, c) - b.at(x, y, c);
+                             return difference * difference / 4;
                          })) == "");
         // The layer is filtered with the weights of either half; half A as a layer with those of B is a itself.
         buffers a_guides = in;

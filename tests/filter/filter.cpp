@@ -4,7 +4,7 @@
 #include "support/catch.hpp"
 #include "support/filters.hpp"
 #include "winnow/distance/squared_difference.hpp"
-#include "winnow/estimator/standard_error.hpp"
+#include "winnow/estimator/residual_variance.hpp"
 #include "winnow/weight/gaussian.hpp"
 #include "winnow/window/disk.hpp"
 
@@ -31,7 +31,7 @@ static_assert(std::is_same_v<decltype(filter{gaussian(l2(albedo), 1)}.window), w
 // `with` changes one thing.
 static_assert(blur.with(window::disk{.radius = 3}).window.radius == 3);
 static_assert(blur.with(window::disk{.radius = 3}).weight == blur.weight);
-static_assert(blur.with(border::clamp).with(estimator::standard_error{}).border == border::clamp);
+static_assert(blur.with(border::clamp).with(estimator::residual_variance{}).border == border::clamp);
 static_assert(blur.with(window::square{.radius = 2}) == blur);
 
 TEST_CASE("the executor is an argument: without one the filter is the definition, in float") {
@@ -105,13 +105,17 @@ TEST_CASE("the mean of the filtered halves is the filtered mean") {
         }
 }
 
-TEST_CASE("the standard error is half the difference of the filtered halves, bit for bit") {
+namespace {
+float squared(float x) { return x * x; }
+}  // namespace
+
+TEST_CASE("the residual variance is that of half the difference of the filtered halves, bit for bit") {
     const buffers in = make_buffers(size);
     for (const executor_kind kind : kinds) {
         image<> mean(size, 3), a(size, 3), b(size, 3), error(size, 3), error_alone(size, 3);
         nlm_with_error()(in.layers(), output{mean}.halves(a.view(), b.view()).error(error.view()), {kind});
         const image<> expected =
-            fill(size, 3, [&](int x, int y, int c) { return std::abs(a.at(x, y, c) - b.at(x, y, c)) / 2; });
+            fill(size, 3, [&](int x, int y, int c) { return squared((a.at(x, y, c) - b.at(x, y, c)) / 2); });
         CHECK(other_bits(error, expected) == "");
         nlm_with_error()(in.layers(), output{}.error(error_alone.view()), {kind});
         CHECK(other_bits(error_alone, expected) == "");

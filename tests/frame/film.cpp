@@ -6,7 +6,7 @@
 #include <support/folder.hpp>
 #include <support/patterns.hpp>
 #include <thread>
-#include <winnow/estimator/standard_error.hpp>
+#include <winnow/estimator/residual_variance.hpp>
 #include <winnow/frame/path_guides.hpp>
 #include <winnow/paper/joint_bilateral.hpp>
 #include <winnow/paper/nlm_2012.hpp>
@@ -462,7 +462,7 @@ TEST_CASE("the film of a filter has what the filter reads, and no more") {
 }
 
 TEST_CASE("an estimator that needs halves gets them") {
-    const auto denoise = paper::make_nlm().with(estimator::standard_error{});
+    const auto denoise = paper::make_nlm().with(estimator::residual_variance{});
     film_for<decltype(denoise)> f({6, 5});
     for (int y = 0; y < 5; ++y)
         for (int x = 0; x < 6; ++x)

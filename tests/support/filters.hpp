@@ -16,7 +16,7 @@ struct filter_numbers {
 any_filter joint_bilateral(filter_numbers n = {});
 any_filter bilateral(filter_numbers n = {});
 any_filter nlm(filter_numbers n = {});
-any_filter nlm_with_error(filter_numbers n = {});  ///< estimator::standard_error
+any_filter nlm_with_error(filter_numbers n = {});  ///< estimator::residual_variance
 any_filter nlm_dual_buffer(filter_numbers n = {});
 any_filter nlm_as_released(filter_numbers n = {});  ///< the mean of a weight over a patch
 any_filter rdfc_candidate(filter_numbers n = {});

@@ -54,7 +54,7 @@ inline const weights weight_examples{
 using windows = std::tuple<window::square, window::disk>;
 inline constexpr windows window_examples{{.radius = 3}, {.radius = 4}};
 
-using estimators = std::tuple<estimator::none, estimator::standard_error>;
+using estimators = std::tuple<estimator::none, estimator::residual_variance, estimator::sure<>>;
 inline constexpr estimators estimator_examples{};
 
 }  // namespace winnow::test

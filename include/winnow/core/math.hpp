@@ -5,6 +5,7 @@
 /// the same names as static members (SIMD lanes, the tests' archetype).
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <winnow/core/platform.hpp>
 
 namespace winnow::math {
@@ -66,6 +67,28 @@ WINNOW_HD Real exp_neg(Real x) {
 template <class Real>
 WINNOW_HD Real square(Real x) {
     return x * x;
+}
+
+namespace detail {
+template <class F, int... I>
+WINNOW_HD void for_each(const F& f, std::integer_sequence<int, I...>) {
+    (f(std::integral_constant<int, I>{}), ...);
+}
+template <class F, int... I>
+WINNOW_HD auto sum_over(const F& f, std::integer_sequence<int, I...>) {
+    return (... + f(std::integral_constant<int, I>{}));
+}
+}  // namespace detail
+
+/// f(0), f(1), ..., f(Count - 1), each with an index that the compiler knows.
+template <int Count, class F>
+WINNOW_HD void for_each(const F& f) {
+    detail::for_each(f, std::make_integer_sequence<int, Count>{});
+}
+/// f(0) + f(1) + ... + f(Count - 1), likewise.
+template <int Count, class F>
+WINNOW_HD auto sum_over(const F& f) {
+    return detail::sum_over(f, std::make_integer_sequence<int, Count>{});
 }
 
 }  // namespace winnow::math

@@ -56,6 +56,10 @@ constexpr auto operator+(A a, B b) {
 
 namespace winnow {
 
+template <distance_policy A>
+constexpr A max(A a) {
+    return a;
+}
 template <distance_policy A, distance_policy B>
 constexpr auto max(A a, B b) {
     return distance::max_of<A, B>{a, b};

@@ -8,8 +8,8 @@
 
 namespace winnow::distance {
 
-/// sum over channels of
-///     ((f(p) - f(q))^2 - (Var[p] + min(Var[p], Var[q]))) / (k^2 max(tau, Var[p], |Grad[p]|^2)).
+/// With sums over the channels of the feature f,
+///     (sum (f(p) - f(q))^2 - sum (Var[p] + min(Var[p], Var[q]))) / (k^2 max(tau, sum Var[p], sum |Grad[p]|^2)).
 /// No unit.  The feature is expected in unit range; Var is the variance that is left in it.
 template <guide G>
 struct cross_feature {
@@ -21,16 +21,14 @@ struct cross_feature {
 
     template <class Real, class Planes>
     WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
-        Real sum(0);
-        for (int c = 0; c < G::channels; ++c) {
-            const Real var_p = pq.p(variance_of<G>{}, c);
-            const Real floor = math::max(math::max(var_p, pq.p(gradient_of<G>{}, c)), Real(tau));
-            const Real difference = pq.p(G{}, c) - pq.q(G{}, c);
-            const Real explained = var_p + math::min(var_p, pq.q(variance_of<G>{}, c));
-            const Real scale = math::reciprocal(floor * Real(k * k));
-            sum = sum + (difference * difference - explained) * scale;
-        }
-        return sum;
+        const auto sum = [&](const auto& term) WINNOW_HD_LAMBDA { return math::sum_over<G::channels>(term); };
+        const Real unexplained = sum([&](auto c) WINNOW_HD_LAMBDA {
+            const Real difference = pq.p(G{}, c) - pq.q(G{}, c), var_p = pq.p(variance_of<G>{}, c);
+            return difference * difference - (var_p + math::min(var_p, pq.q(variance_of<G>{}, c)));
+        });
+        const Real noise = sum([&](auto c) WINNOW_HD_LAMBDA { return pq.p(variance_of<G>{}, c); });
+        const Real contrast = sum([&](auto c) WINNOW_HD_LAMBDA { return pq.p(gradient_of<G>{}, c); });
+        return unexplained * math::reciprocal(math::max(math::max(noise, contrast), Real(tau)) * Real(k * k));
     }
     bool operator==(const cross_feature&) const = default;
 

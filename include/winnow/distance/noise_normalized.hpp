@@ -25,17 +25,15 @@ struct noise_normalized {
 
     template <class Real, class Planes>
     WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
-        Real sum(0);
-        for (int c = 0; c < G::channels; ++c) {
-            const Real var_p = pq.p(variance_of<G>{}, c);
-            const Real var_q = pq.q(variance_of<G>{}, c);
-            const Real difference = pq.p(G{}, c) - pq.q(G{}, c);
-            // Subtracting Var[q] in full would reward a q that is noisier than p.
-            const Real unexplained = difference * difference - (var_p + math::min(var_p, var_q));
-            const Real scale = math::reciprocal(Real(k * k) * (var_p + var_q) + Real(epsilon));
-            sum = sum + math::min(unexplained * scale, Real(largest));
-        }
-        return sum * Real(1.0f / G::channels);
+        return Real(1.0f / G::channels) * math::sum_over<G::channels>([&](auto c) WINNOW_HD_LAMBDA {
+                   const Real var_p = pq.p(variance_of<G>{}, c);
+                   const Real var_q = pq.q(variance_of<G>{}, c);
+                   const Real difference = pq.p(G{}, c) - pq.q(G{}, c);
+                   // Subtracting Var[q] in full would reward a q that is noisier than p.
+                   const Real unexplained = difference * difference - (var_p + math::min(var_p, var_q));
+                   const Real scale = math::reciprocal(Real(k * k) * (var_p + var_q) + Real(epsilon));
+                   return math::min(unexplained * scale, Real(largest));
+               });
     }
     bool operator==(const noise_normalized&) const = default;
 

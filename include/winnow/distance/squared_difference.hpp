@@ -14,9 +14,8 @@ struct squared_difference {
 
     template <class Real, class Planes>
     WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
-        Real sum(0);
-        for (int c = 0; c < G::channels; ++c) sum = sum + math::square(pq.p(G{}, c) - pq.q(G{}, c));
-        return sum;
+        return math::sum_over<G::channels>([&](auto c)
+                                               WINNOW_HD_LAMBDA { return math::square(pq.p(G{}, c) - pq.q(G{}, c)); });
     }
     bool operator==(const squared_difference&) const = default;
 };

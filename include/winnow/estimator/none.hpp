@@ -8,8 +8,10 @@ namespace winnow::estimator {
 
 struct none {
     using role = role::estimator;
+    using reads = planes<>;
     static constexpr bool reports = false;  ///< whether there is an error to write
     static constexpr bool needs_halves = false;
+    static constexpr bool needs_derivative = false;
 
     float operator()(const pixel_estimate&) const { return 0; }
     bool operator==(const none&) const = default;

@@ -10,25 +10,39 @@ namespace winnow {
 /// Below this sum of weights a pixel has no neighbour that counts, not even itself: it keeps its value.
 inline constexpr float no_weight = 1e-30f;
 
-/// Writes the pixels of one weight's row: filtered(v, x) is the filtered value v of the x-th pixel, input(v, x) what it
-/// was before.  Filtered planes are written where somebody asked for them.
-template <class Estimator, class Filtered, class Input>
+/// What is known of the x-th pixel of a row, after one weight's sums are done.
+///     filtered(v, x)    value v, filtered;            input(v, x)       the same before
+///     derivative(c, x)  dF / du of channel c;         variance(c, x)    of channel c
+///     support(x)        the sum of weights
+/// What the estimator does not need and nobody asked for is not asked for here.
+template <class Estimator, class Row>
 void write_row(const sweep_buffers& buffers, const Estimator& estimator, int weight, rectangle tile, int y,
-               const Filtered& filtered, const Input& input) {
-    const int values = static_cast<int>(buffers.values.size());
+               const Row& row) {
+    const auto write = [&](const target& to, const auto& value) {
+        if (to)
+            for (int x = tile.x0; x < tile.x1; ++x) to.set(x, y, value(x));
+    };
+    const int values = static_cast<int>(buffers.values.size()), channels = buffers.channels;
     for (int v = 0; v < values; ++v)
-        if (const target& to = buffers.results[weight * values + v])
-            for (int x = tile.x0; x < tile.x1; ++x) to.set(x, y, filtered(v, x));
-    for (int c = 0; c < buffers.channels; ++c)
-        if (const target& to = buffers.errors[weight * buffers.channels + c])
-            for (int x = tile.x0; x < tile.x1; ++x) {
-                pixel_estimate e{.input = input(c, x), .filtered = filtered(c, x)};
+        write(buffers.results[weight * values + v], [&](int x) { return row.filtered(v, x); });
+    write(buffers.supports[weight], [&](int x) { return row.support(x); });
+    for (int c = 0; c < channels; ++c) {
+        if constexpr (Estimator::needs_derivative)
+            write(buffers.derivatives[weight * channels + c], [&](int x) { return row.derivative(c, x); });
+        if constexpr (Estimator::reports)
+            write(buffers.errors[weight * channels + c], [&](int x) {
+                pixel_estimate e{.input = row.input(c, x), .filtered = row.filtered(c, x)};
                 if constexpr (Estimator::needs_halves) {
-                    e.half_a = filtered(buffers.channels + c, x);
-                    e.half_b = filtered(2 * buffers.channels + c, x);
+                    e.half_a = row.filtered(channels + c, x);
+                    e.half_b = row.filtered(2 * channels + c, x);
                 }
-                to.set(x, y, estimator(e));
-            }
+                if constexpr (Estimator::needs_derivative) {
+                    e.variance = row.variance(c, x);
+                    e.derivative = row.derivative(c, x);
+                }
+                return estimator(e);
+            });
+    }
 }
 
 }  // namespace winnow

@@ -5,58 +5,13 @@
 /// so that the cost of a patch hardly depends on its size.
 #include <algorithm>
 #include <winnow/executor/lanes.hpp>
+#include <winnow/executor/lookup.hpp>
 #include <winnow/executor/run.hpp>
 #include <winnow/executor/stage.hpp>
 
 namespace winnow {
 
 namespace detail {
-
-/// A policy that says what it averages over a patch: distance::patch, weight::patch_mean.
-template <class Node>
-concept averages_over_patch = requires {
-    typename Node::prepares;
-};
-template <class Node>
-struct is_patch : std::bool_constant<averages_over_patch<Node>> {};
-
-/// Stands in the expression where a patch stood.
-template <class Role>
-struct looked_up {
-    using role = Role;
-    using reads = planes<>;
-
-    int index;
-
-    template <class Real, class Planes>
-    WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
-        return pq.ahead(index);
-    }
-};
-
-template <class A, class B>
-bool same_policy(const A& a, const B& b) {
-    if constexpr (std::is_same_v<A, B> && std::equality_comparable<A>) return a == b;
-    else return false;
-}
-
-/// The outermost patches of several expressions, and the expressions with these looked up instead.
-template <class... Node>
-constexpr auto patches_in(const std::tuple<Node...>& nodes) {
-    return std::apply([](const auto&... node) { return std::tuple_cat(collect<is_patch>(node)...); }, nodes);
-}
-template <class... Node>
-constexpr auto without_patches(const std::tuple<Node...>& nodes) {
-    int index = 0;
-    const auto replace = [&index](const auto& patch) {
-        return looked_up<typename std::remove_cvref_t<decltype(patch)>::role>{index++};
-    };
-    return std::apply(
-        [&](const auto&... node) {
-            return std::tuple<decltype(rewrite<is_patch>(node, replace))...>{rewrite<is_patch>(node, replace)...};
-        },
-        nodes);
-}
 
 /// row(0) + row(1) + ... + row(count - 1), added as a balanced tree: one order for each count, whatever the pixel.
 template <int Count, class Row>
@@ -67,44 +22,58 @@ WINNOW_HD lanes tree_sum(const Row& row, int first = 0) {
 
 }  // namespace detail
 
-/// The offsets (first .. last - 1, dy).
-struct offset_group {
-    int first, last, dy;
-
-    int size() const { return last - first; }
-};
-
 /// Means over patches around the pixels of a tile, for a group of offsets, row by row.  Patches over the same policy
 /// share its evaluation; what is inside a patch may hold patches itself.
-template <class Reads, class Patches>
+///
+/// With a buffer Varied the slopes of the means that change with it at p come along.  A patch around p and q meets the
+/// pixel p twice: in its centre, and, where q is near, as the neighbour of the pixel as far on the other side.
+template <class Reads, class Varied, class Patches>
 class prepared_patches;
 
-template <class Reads>
-class prepared_patches<Reads, std::tuple<>> {
+template <class Reads, class Varied>
+class prepared_patches<Reads, Varied, std::tuple<>> {
+    static constexpr int group = offset_group::largest;
+
 public:
-    prepared_patches(const std::tuple<>&, extent, extent, int, border) {}
+    static constexpr int places = 0;
+
+    prepared_patches(const std::tuple<>&, extent, extent tile, border, int more = 0)
+        : width_(detail::ceil_div(tile.width, lanes::size) * lanes::size), more_(more) {}
 
     int reach() const { return 0; }
-    std::size_t floats() const { return 0; }
-    prepared at(const float*, int, int) const { return {}; }
+    std::size_t floats() const { return std::size_t(group) * more_ * width_; }
+    float* at(float* memory, int i, int x) const { return memory + std::ptrdiff_t{i} * more_ * width_ + x; }
+    std::ptrdiff_t width() const { return width_; }
     void start(rectangle, offset_group, float*) const {}
     void row(const staged_tile&, rectangle, offset_group, int, float*) const {}
+
+private:
+    int width_, more_;
 };
 
-template <class Reads, class... Patch>
-class prepared_patches<Reads, std::tuple<Patch...>> {
+template <class Reads, class Varied, class... Patch>
+class prepared_patches<Reads, Varied, std::tuple<Patch...>> {
+    static constexpr int group = offset_group::largest;
+
 public:
-    /// For tiles up to this size, and up to `group` offsets at a time.
-    prepared_patches(const std::tuple<Patch...>& patches, extent size, extent tile, int group, border rule)
+    /// Places of the means and their slopes.
+    static constexpr int places = (0 + ... + detail::places_of<Patch, Varied>);
+
+    /// For tiles up to this size; the caller may use `more` places of its own.
+    prepared_patches(const std::tuple<Patch...>& patches, extent size, extent tile, border rule, int more = 0)
         : patches_(patches),
-          evaluated_(detail::without_patches(inner_of(patches))),
+          evaluated_(detail::look_up_all<detail::is_patch, void>(inner_of(patches))),
           radius_(std::apply([](const auto&... p) { return std::max({p.radius...}); }, patches)),
-          inner_(detail::patches_in(inner_of(patches)), size,
-                 rectangle{0, 0, tile.width, tile.height}.grown(radius_).size(), group, rule),
+          inner_(detail::collect_all<detail::is_patch>(inner_of(patches)), size,
+                 rectangle{0, 0, tile.width, tile.height}.grown(radius_).size(), rule),
           size_(size),
           tile_(tile),
-          group_(group),
-          rule_(rule) {}
+          rule_(rule),
+          count_(places + more) {
+        detail::for_each_node(inner_of(patches_), [&](const auto& node, int i) {
+            leaders_[i] = detail::leader(inner_of(patches_), node, i);
+        });
+    }
 
     /// How far around a tile it looks: the largest patch of each level.
     int reach() const {
@@ -114,17 +83,17 @@ public:
         return radius_ + std::max(inner, inner_.reach());
     }
 
-    /// Memory for a group of offsets: the means of one row of pixels, then what it takes to work them out.
+    /// Memory for a group of offsets: one row of pixels of each place, then what it takes to work them out.
     std::size_t floats() const { return own_floats() + inner_.floats(); }
 
-    /// Where the means at the i-th offset of the group lie for the x-th pixel of the row.
-    prepared at(const float* memory, int i, int x) const {
-        return {memory + std::ptrdiff_t{i} * count * width() + x, width()};
-    }
+    /// Place 0 of the x-th pixel of the row at the i-th offset of the group; the next place is width() floats on.
+    float* at(float* memory, int i, int x) const { return memory + std::ptrdiff_t{i} * count_ * width() + x; }
+    /// Room for a row of the tile with its patches, and for a last batch that sticks out.
+    int width() const { return detail::ceil_div(tile_.width + 2 * radius_ + lanes::size, lanes::size) * lanes::size; }
 
     /// Starts a group of offsets.
     void start(rectangle tile, offset_group offsets, float* memory) const {
-        for_each([&](const auto& patch, const auto&, int index) {
+        detail::for_each_node(patches_, [&](const auto& patch, int index) {
             for (int i = 0; i < offsets.size(); ++i)
                 for (int x = 0; x < tile.x1 - tile.x0; ++x)
                     share(memory, i, index)[x] =
@@ -137,23 +106,32 @@ public:
     void row(const staged_tile& staged, rectangle tile, offset_group offsets, int y, float* memory) const {
         for (int k = y == tile.y0 ? y - radius_ : y + radius_; k <= y + radius_; ++k)
             add_row(staged, tile, offsets, k, memory);
-        for_each([&](const auto& patch, const auto&, int index) {
-            const int from = leader(patch, index);
-            switch (patch.radius) {
-                case 1:
-                    return sum_row<1>(1, index, from, tile, offsets, y, memory);
-                case 2:
-                    return sum_row<2>(2, index, from, tile, offsets, y, memory);
-                case 3:
-                    return sum_row<3>(3, index, from, tile, offsets, y, memory);
-                default:
-                    return sum_row<0>(patch.radius, index, from, tile, offsets, y, memory);
-            }
+        detail::for_each_node(patches_, [&](const auto& patch, auto index) {
+            const int radius = patch.radius;
+            if (radius == 1) sum_row<1, index>(radius, tile, offsets, y, memory);
+            else if (radius == 2) sum_row<2, index>(radius, tile, offsets, y, memory);
+            else if (radius == 3) sum_row<3, index>(radius, tile, offsets, y, memory);
+            else sum_row<0, index>(radius, tile, offsets, y, memory);
+            if constexpr (slopes < index >> 0)
+                for (int i = 0; i < offsets.size(); ++i)
+                    sum_slopes<index>(radius, tile, i, offsets.first + i, offsets.dy, y, memory);
         });
     }
 
 private:
-    static constexpr int count = sizeof...(Patch);
+    template <int Index>
+    using patch_at = std::tuple_element_t<Index, std::tuple<Patch...>>;
+    /// How many slopes patch Index has.
+    template <int Index>
+    static constexpr int slopes = detail::places_of<patch_at<Index>, Varied> - 1;
+    /// The value of a patch comes before its slopes; the policy inside has slopes at p and slopes at q.
+    static constexpr int place(int index) {
+        int place = 0, i = 0;
+        ((place += i++ < index ? detail::places_of<Patch, Varied> : 0), ...);
+        return place;
+    }
+    static constexpr int ring_place(int index) { return 2 * place(index) - index; }
+    static constexpr int ring_places = ring_place(sizeof...(Patch));
 
     static constexpr auto inner_of(const std::tuple<Patch...>& patches) {
         return std::apply([](const auto&... p) { return std::tuple<typename Patch::prepares...>(p.inner...); },
@@ -163,30 +141,57 @@ private:
     /// Evaluates what is inside the patches for row y, for the pixels of the tile and radius_ beyond.
     void add_row(const staged_tile& staged, rectangle tile, offset_group offsets, int y, float* memory) const {
         inner_.row(staged, tile.grown(radius_), offsets, y, memory + own_floats());
-        for_each([&](const auto& patch, const auto& evaluated, int index) {
-            if (leader(patch, index) != index) return;
-            const int pixels = tile.x1 - tile.x0 + 2 * radius_;
-            const bool masked = rule_ == border::clip && !covered(tile, offsets, y);
-            const std::ptrdiff_t next = ring_size();
+        const int pixels = tile.x1 - tile.x0 + 2 * radius_;
+        const bool masked = rule_ == border::clip && !covered(tile, offsets, y);
+        const std::ptrdiff_t next = ring_size(), plane = ring_plane();
+        detail::for_each_node(evaluated_, [&](const auto& evaluated, auto index) {
+            if (leaders_[index] != index) return;
+            constexpr int n = slopes<index>;
             for (int x = 0; x < pixels; x += lanes::size) {
                 const float* p = staged.at(0, tile.x0 - radius_ + x, y);
                 const float* q = p + offsets.first + offsets.dy * staged.step.row;
-                float* to = ring(memory, 0, index, y) + x;
-                for (int i = 0; i < offsets.size(); ++i)
-                    evaluated(pixel_pair<lanes, Reads>(p, q + i, staged.step, offsets.first + i, offsets.dy,
-                                                       inner_.at(memory + own_floats(), i, x)))
-                        .store(to + i * next);
+                float* to = ring(memory, 0, ring_place(index), y) + x;
+                // Stored last: stores would keep what depends on p alone from being computed once.
+                lanes value[group], slope[2 * n + 1][group];
+                for (int i = 0; i < offsets.size(); ++i) {
+                    const prepared ahead{inner_.at(memory + own_floats(), i, x), inner_.width()};
+                    const int dx = offsets.first + i;
+                    if constexpr (n > 0) {
+                        const pixel_pair<differential<lanes, Varied>, Reads> pq(p, q + i, staged.step, dx, offsets.dy);
+                        const auto at_p = evaluated(pq.varying(true, false));
+                        value[i] = at_p.value();
+                        for (int c = 0; c < n; ++c) slope[c][i] = at_p.slope(c);
+                    } else {
+                        value[i] = evaluated(pixel_pair<lanes, Reads>(p, q + i, staged.step, dx, offsets.dy, ahead));
+                    }
+                }
+                if constexpr (n > 0)
+                    for (int i = 0; i < offsets.size(); ++i) {
+                        for (int c = 0; c < n; ++c) slope[n + c][i] = lanes(0.0f);
+                        if (!near(offsets.first + i, offsets.dy, radius_)) continue;
+                        const pixel_pair<differential<lanes, Varied>, Reads> pq(p, q + i, staged.step,
+                                                                                offsets.first + i, offsets.dy);
+                        const auto at_q = evaluated(pq.varying(false, true));
+                        for (int c = 0; c < n; ++c) slope[n + c][i] = at_q.slope(c);
+                    }
+                for (int i = 0; i < offsets.size(); ++i) {
+                    value[i].store(to + i * next);
+                    for (int k = 0; k < 2 * n; ++k) slope[k][i].store(to + i * next + (1 + k) * plane);
+                }
                 if (masked)  // a pair that does not exist adds nothing
                     for (int i = 0; i < offsets.size(); ++i)
-                        (lanes::load(to + i * next) * (lanes::load(p) * lanes::load(q + i))).store(to + i * next);
+                        for (int k = 0; k <= 2 * n; ++k) {
+                            float* const of_pair = to + i * next + k * plane;
+                            (lanes::load(of_pair) * (lanes::load(p) * lanes::load(q + i))).store(of_pair);
+                        }
             }
         });
     }
 
     /// Sums over the patches around row y, once all their rows are there; divides by the number of pairs that exist.
     /// Unrolled is the radius where it is one of the usual ones, else 0.
-    template <int Unrolled>
-    void sum_row(int radius, int index, int from, rectangle tile, offset_group offsets, int y, float* memory) const {
+    template <int Unrolled, int Index>
+    void sum_row(int radius, rectangle tile, offset_group offsets, int y, float* memory) const {
         const int pixels = tile.x1 - tile.x0;
         const lanes rows(1.0f / pairs(y, offsets.dy, radius, size_.height));
         const auto sum = [&](const auto& row) {
@@ -196,16 +201,17 @@ private:
             return s;
         };
         for (int i = 0; i < offsets.size(); ++i) {
-            float* const columns = memory + 2 * result_floats() + ring_floats();
+            float* const columns = memory + place_floats() + share_floats() + ring_floats();
             const float* row[2 * Unrolled + 1];
+            const int from = ring_place(leaders_[Index]);
             for (int k = 0; k <= 2 * Unrolled; ++k) row[k] = ring(memory, i, from, y - radius + k);
             for (int x = radius_ - radius; x < pixels + radius_ + radius; x += lanes::size)
                 sum([&](int k) {
                     return lanes::load((k <= 2 * Unrolled ? row[k] : ring(memory, i, from, y - radius + k)) + x);
                 }).store(columns + x);
             const float* const first_column = columns + radius_ - radius;
-            const float* const shares = share(memory, i, index);
-            float* const to = result(memory, i, index);
+            const float* const shares = share(memory, i, Index);
+            float* const to = at(memory, i, 0) + place(Index) * width();
             for (int x = 0; x < pixels; x += lanes::size) {
                 const lanes total = sum([&](int k) { return lanes::load(first_column + x + k); });
                 (total * (lanes::load(shares + x) * rows)).store(to + x);
@@ -213,43 +219,43 @@ private:
         }
     }
 
-    /// Room for a row of the tile with its patches, and for a last batch that sticks out.
-    int width() const { return detail::ceil_div(tile_.width + 2 * radius_ + lanes::size, lanes::size) * lanes::size; }
-    std::size_t result_floats() const { return std::size_t(group_) * count * width(); }
-    std::size_t ring_floats() const { return std::size_t(group_) * ring_size(); }
-    std::ptrdiff_t ring_size() const { return std::ptrdiff_t{count} * (2 * radius_ + 1) * width(); }
-
-    /// The means of a row for the i-th offset of the group.
-    float* result(float* memory, int i, int index) const {
-        return memory + (std::ptrdiff_t{i} * count + index) * width();
-    }
-    /// What the sums of a column of pixels are divided by: one over the number of pairs along x.
-    float* share(float* memory, int i, int index) const { return result(memory + result_floats(), i, index); }
-    /// Row y of what is inside the patches, for the i-th offset; the last 2 radius + 1 rows are kept.
-    float* ring(float* memory, int i, int index, int y) const {
-        const int rows = 2 * radius_ + 1;
-        const int place = (y % rows + rows) % rows;
-        return memory + 2 * result_floats() + i * ring_size() + (std::ptrdiff_t{index} * rows + place) * width();
-    }
-
-    std::size_t own_floats() const { return 2 * result_floats() + ring_floats() + width(); }
-
-    /// f(patch, what is evaluated inside it, index).
-    template <class F>
-    void for_each(const F& f) const {
-        [&]<std::size_t... I>(std::index_sequence<I...>) {
-            (f(std::get<I>(patches_), std::get<I>(evaluated_), static_cast<int>(I)), ...);
+    /// The slopes of the mean at offset (dx, dy): of the pair (p, q), and of the pair (p - offset, p).
+    template <int Index>
+    void sum_slopes(int radius, rectangle tile, int i, int dx, int dy, int y, float* memory) const {
+        const lanes rows(1.0f / pairs(y, dy, radius, size_.height));
+        const float* const shares = share(memory, i, Index);
+        const int from = ring_place(leaders_[Index]);
+        for (int c = 0; c < slopes<Index>; ++c) {
+            const float* const centre = ring(memory, i, from + 1 + c, y) + radius_;
+            const float* const opposite =
+                near(dx, dy, radius) ? ring(memory, i, from + 1 + slopes<Index> + c, y - dy) + radius_ - dx : nullptr;
+            float* const to = at(memory, i, 0) + (place(Index) + 1 + c) * width();
+            for (int x = 0; x < tile.x1 - tile.x0; x += lanes::size) {
+                lanes slope = lanes::load(centre + x);
+                if (opposite) slope = slope + lanes::load(opposite + x);
+                (slope * (lanes::load(shares + x) * rows)).store(to + x);
+            }
         }
-        (std::index_sequence_for<Patch...>{});
     }
-    /// Index of the first patch over the same policy as patch `index`.
-    template <class P>
-    int leader(const P& patch, int index) const {
-        int found = index;
-        for_each([&](const auto& other, const auto&, int i) {
-            if (i < found && detail::same_policy(other.inner, patch.inner)) found = i;
-        });
-        return found;
+
+    static bool near(int dx, int dy, int radius) { return std::abs(dx) <= radius && std::abs(dy) <= radius; }
+
+    std::size_t place_floats() const { return std::size_t(group) * count_ * width(); }
+    std::size_t share_floats() const { return std::size_t(group) * sizeof...(Patch) * width(); }
+    std::size_t ring_floats() const { return std::size_t(group) * ring_size(); }
+    std::ptrdiff_t ring_plane() const { return std::ptrdiff_t{2 * radius_ + 1} * width(); }
+    std::ptrdiff_t ring_size() const { return ring_places * ring_plane(); }
+    std::size_t own_floats() const { return place_floats() + share_floats() + ring_floats() + width(); }
+
+    /// What the sums of a column of pixels are divided by: one over the number of pairs along x.
+    float* share(float* memory, int i, int index) const {
+        return memory + place_floats() + (i * std::ptrdiff_t{sizeof...(Patch)} + index) * width();
+    }
+    /// Row y of what is inside the patches, for the i-th offset; the last 2 radius + 1 rows are kept.
+    float* ring(float* memory, int i, int ring_place, int y) const {
+        const int rows = 2 * radius_ + 1;
+        return memory + place_floats() + share_floats() + i * ring_size() + ring_place * ring_plane() +
+               std::ptrdiff_t{(y % rows + rows) % rows} * width();
     }
 
     /// How many of the pairs (p + n, p + offset + n), |n| <= radius, exist along one axis; at least 1.
@@ -267,18 +273,31 @@ private:
                tile.x1 + radius_ + std::max(offsets.last - 1, 0) <= size_.width;
     }
 
+    template <class Node>
+    static constexpr bool looks_around = std::tuple_size_v<decltype(collect<detail::is_patch>(std::declval<Node>()))> >
+                                             0 ||
+                                         requires(const Node& node) {
+        node.reach();
+    };
+    static_assert(((!looks_around<typename Patch::prepares> || detail::places_of<Patch, Varied> == 1) && ...),
+                  "the derivative of a patch within a patch is worked out by executor::serial alone");
+
     std::tuple<Patch...> patches_;
-    decltype(detail::without_patches(inner_of(std::declval<std::tuple<Patch...>>()))) evaluated_;
+    decltype(detail::look_up_all<detail::is_patch, void>(inner_of(std::declval<std::tuple<Patch...>>()))) evaluated_;
+    int leaders_[sizeof...(Patch)];
     int radius_;  ///< the largest of the patches
-    prepared_patches<Reads, decltype(detail::patches_in(inner_of(std::declval<std::tuple<Patch...>>())))> inner_;
+    prepared_patches<Reads, void,
+                     decltype(detail::collect_all<detail::is_patch>(inner_of(std::declval<std::tuple<Patch...>>())))>
+        inner_;
     extent size_, tile_;
-    int group_;
     border rule_;
+    int count_;  ///< places, with the caller's
 };
 
 /// The patches of a sweep.
 template <class Sweep>
 using prepared_patches_of =
-    prepared_patches<typename Sweep::reads, decltype(detail::patches_in(std::declval<const Sweep&>().weights))>;
+    prepared_patches<typename Sweep::reads, varied_in<Sweep>,
+                     decltype(detail::collect_all<detail::is_patch>(std::declval<const Sweep&>().weights))>;
 
 }  // namespace winnow

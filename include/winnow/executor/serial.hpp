@@ -4,10 +4,12 @@
 /// The definition: pixel by pixel, neighbour by neighbour, as the formula stands.
 #include <winnow/executor/concept.hpp>
 #include <winnow/executor/finish.hpp>
+#include <winnow/frame/differential.hpp>
 
 namespace winnow::executor {
 
-/// For each pixel p and each weight w of the sweep:  F(p) = sum_q w(p,q) u(q) / sum_q w(p,q), in Real arithmetic.
+/// For each pixel p and each weight w of the sweep:  F(p) = sum_q w(p,q) u(q) / sum_q w(p,q), in Real arithmetic; and,
+/// where the estimator needs it,  dF/du = (w(p,p) + sum_q dw u(q) - F sum_q dw) / sum_q w,  with dw = dw(p,q) / du(p).
 template <class Real>
 struct pixel_major {
     int tile_rows = 16;  ///< rows that are staged at a time
@@ -22,7 +24,7 @@ struct pixel_major {
         const extent tile = tile_size(sweep, buffers);
         const extent region = rectangle{0, 0, tile.width, tile.height}.grown(margin(sweep, buffers.size)).size();
         return detail::aligned(sizeof(float) * region.pixels() * staged_planes<Sweep>(buffers)) +
-               sizeof(Real) * buffers.values.size() * tile.width;
+               sizeof(Real) * results_of<Sweep>(buffers) * tile.width;
     }
 
     template <class Sweep>
@@ -33,40 +35,88 @@ struct pixel_major {
                                  reinterpret_cast<float*>(scratch),
                                  {region.size().width, std::ptrdiff_t{region.size().width} * planes}};
         stage(sweep, buffers, staged);
-        Real* filtered =
+        Real* results =
             reinterpret_cast<Real*>(scratch + detail::aligned(sizeof(float) * region.size().pixels() * planes));
-
-        const auto value = [&](int v, int x, int y) { return *staged.at(1 + Sweep::reads::count + v, x, y); };
-        const auto filter_pixel = [&](const auto& weight, int x, int y, Real* sums) {
-            using pair = pixel_pair<Real, typename Sweep::reads>;
-            Real total = 0;
-            std::fill(sums, sums + values, Real(0));
-            const int reach = window_reach(sweep, buffers.size);
-            for (int dy = -reach; dy <= reach; ++dy) {
-                const int half = window_half_width(sweep, buffers.size, dy);
-                for (int dx = -half; dx <= half; ++dx) {
-                    const float* q = staged.at(0, x + dx, y + dy);
-                    if (*q == 0) continue;  // no pixel there
-                    const Real w = weight(pair(staged.at(0, x, y), q, staged.step, dx, dy));
-                    total += w;
-                    for (int v = 0; v < values; ++v) sums[v] += w * Real(value(v, x + dx, y + dy));
-                }
-            }
-            for (int v = 0; v < values; ++v) sums[v] = total > Real(no_weight) ? sums[v] / total : Real(value(v, x, y));
-        };
 
         int index = 0;
         const auto filter_all = [&](const auto& weight) {
             for (int y = tile.y0; y < tile.y1; ++y) {
-                for (int x = tile.x0; x < tile.x1; ++x) filter_pixel(weight, x, y, filtered + values * (x - tile.x0));
-                write_row(
-                    buffers, sweep.estimator, index, tile, y,
-                    [&](int v, int x) { return static_cast<float>(filtered[values * (x - tile.x0) + v]); },
-                    [&](int v, int x) { return value(v, x, y); });
+                for (int x = tile.x0; x < tile.x1; ++x)
+                    filter_pixel(sweep, weight, buffers, staged, x, y,
+                                 results + results_of<Sweep>(buffers) * (x - tile.x0));
+                write_row(buffers, sweep.estimator, index, tile, y,
+                          row<Sweep>{staged, results, results_of<Sweep>(buffers), values, tile.x0, y});
             }
             ++index;
         };
         std::apply([&](const auto&... weight) { (filter_all(weight), ...); }, sweep.weights);
+    }
+
+private:
+    template <class Sweep>
+    static constexpr int channels = detail::channels_of<varied_in<Sweep>>;
+
+    /// Of one pixel: the filtered values, the sum of weights, the derivatives.
+    template <class Sweep>
+    static int results_of(const sweep_buffers& buffers) {
+        return static_cast<int>(buffers.values.size()) + 1 + channels<Sweep>;
+    }
+
+    template <class Sweep>
+    struct row {
+        const staged_tile& staged;
+        const Real* results;
+        int pitch, values, x0, y;
+
+        float at(int i, int x) const { return static_cast<float>(results[pitch * (x - x0) + i]); }
+        float filtered(int v, int x) const { return at(v, x); }
+        float support(int x) const { return at(values, x); }
+        float derivative(int c, int x) const { return at(values + 1 + c, x); }
+        float input(int v, int x) const { return *staged.at(1 + Sweep::reads::count + v, x, y); }
+        float variance(int c, int x) const {
+            return *staged.at(1 + slot_of<variance_of<varied_in<Sweep>>>(typename Sweep::reads{}) + c, x, y);
+        }
+    };
+
+    template <class Sweep, class Weight>
+    static void filter_pixel(const Sweep& sweep, const Weight& weight, const sweep_buffers& buffers,
+                             const staged_tile& staged, int x, int y, Real* results) {
+        using varied = varied_in<Sweep>;
+        const int values = static_cast<int>(buffers.values.size());
+        const auto value = [&](int v, int i, int j) { return Real(*staged.at(1 + Sweep::reads::count + v, i, j)); };
+        Real total = 0, own = 0, slopes[channels<Sweep> + 1] = {}, slopes_of_sums[channels<Sweep> + 1] = {};
+        std::fill(results, results + values, Real(0));
+        const int reach = window_reach(sweep, buffers.size);
+        for (int dy = -reach; dy <= reach; ++dy) {
+            const int half = window_half_width(sweep, buffers.size, dy);
+            for (int dx = -half; dx <= half; ++dx) {
+                const float* q = staged.at(0, x + dx, y + dy);
+                if (*q == 0) continue;  // no pixel there
+                const auto of = [&]<class Number>(std::type_identity<Number>) {
+                    return weight(
+                        pixel_pair<Number, typename Sweep::reads>(staged.at(0, x, y), q, staged.step, dx, dy));
+                };
+                Real w;
+                if constexpr (detail::varies_with<Weight, varied>) {
+                    const auto varying = of(std::type_identity<differential<Real, varied>>{});
+                    w = varying.value();
+                    for (int c = 0; c < channels<Sweep>; ++c) {
+                        slopes[c] += varying.slope(c);
+                        slopes_of_sums[c] += varying.slope(c) * value(c, x + dx, y + dy);
+                    }
+                } else {
+                    w = of(std::type_identity<Real>{});
+                }
+                if (dx == 0 && dy == 0) own = w;
+                total += w;
+                for (int v = 0; v < values; ++v) results[v] += w * value(v, x + dx, y + dy);
+            }
+        }
+        const bool weighted = total > Real(no_weight);
+        for (int v = 0; v < values; ++v) results[v] = weighted ? results[v] / total : value(v, x, y);
+        results[values] = total;
+        for (int c = 0; c < channels<Sweep>; ++c)
+            results[values + 1 + c] = weighted ? (own + slopes_of_sums[c] - results[c] * slopes[c]) / total : Real(1);
     }
 };
 

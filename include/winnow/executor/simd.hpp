@@ -20,8 +20,7 @@ namespace winnow::executor {
 struct offset_major {
     extent largest_tile{128, 64};
 
-    /// Offsets per group; each takes a register for its weight.
-    static constexpr int group = 8;
+    static constexpr int group = offset_group::largest;
 
     template <class Sweep>
     extent tile_size(const Sweep&, const sweep_buffers& buffers) const {
@@ -43,7 +42,7 @@ struct offset_major {
         std::fill(memory.sums, memory.sums + memory.sums_count, 0.0f);
 
         const auto ahead = patches_of(sweep, buffers, memory.tile);
-        const auto weights = detail::without_patches(sweep.weights);
+        const auto shared = shared_of(sweep);
         const int values = static_cast<int>(buffers.values.size());
         const int reach = window_reach(sweep, buffers.size);
         for (int dy = -reach; dy <= reach; ++dy) {
@@ -55,7 +54,7 @@ struct offset_major {
                 ahead.start(tile, offsets, memory.patches);
                 for (int y = tile.y0; y < tile.y1; ++y) {
                     ahead.row(staged, tile, offsets, y, memory.patches);
-                    accumulate<Sweep>(weights, values, memory, staged, tile, offsets, y, ahead);
+                    accumulate<Sweep>(shared, values, memory, staged, tile, offsets, y, ahead);
                 }
             }
         }
@@ -95,7 +94,7 @@ private:
             return part;
         };
         m.planes = take(m.step.row * (m.tile.height + 2 * m.margin) + lanes::size);
-        m.sums_count = static_cast<std::ptrdiff_t>(Sweep::count) * (1 + values) * m.tile.width * m.tile.height;
+        m.sums_count = std::ptrdiff_t{Sweep::count * sums_of_weight<Sweep>(values)} * m.tile.width * m.tile.height;
         m.sums = take(m.sums_count);
         m.patches = take(ahead.floats());
         m.bytes = offset;
@@ -103,71 +102,147 @@ private:
     }
 
     template <class Sweep>
+    static auto shared_of(const Sweep& sweep) {
+        using varied = varied_in<Sweep>;
+        const auto weights = detail::look_up_all<detail::is_patch, varied>(sweep.weights);
+        return shared_distances<varied, std::remove_const_t<decltype(weights)>>(weights,
+                                                                                prepared_patches_of<Sweep>::places);
+    }
+    template <class Sweep>
     static prepared_patches_of<Sweep> patches_of(const Sweep& sweep, const sweep_buffers& buffers, extent tile) {
-        return {detail::patches_in(sweep.weights), buffers.size, tile, group, sweep.rule};
+        return {detail::collect_all<detail::is_patch>(sweep.weights), buffers.size, tile, sweep.rule,
+                decltype(shared_of(sweep))::count};
+    }
+
+    /// Whether weight k changes with the buffer of the derivative.
+    template <class Sweep, int K>
+    static constexpr bool varies =
+        detail::varies_with<std::tuple_element_t<K, decltype(Sweep::weights)>, varied_in<Sweep>>;
+    /// The sums of one weight: w, then w u of each value, then, where derivatives are wanted, dw and dw u + w(p,p) of
+    /// each channel.
+    template <class Sweep>
+    static int sums_of_weight(int values) {
+        return 1 + values + 2 * detail::channels_of<varied_in<Sweep>>;
     }
 
     /// Adds the neighbours at the offsets to the sums of row y.
-    template <class Sweep, class Weights, class Ahead>
-    static void accumulate(const Weights& weights, int values, const parts& memory, const staged_tile& staged,
+    template <class Sweep, class Shared, class Ahead>
+    static void accumulate(const Shared& shared, int values, const parts& memory, const staged_tile& staged,
                            rectangle tile, offset_group offsets, int y, const Ahead& ahead) {
         using reads = typename Sweep::reads;
+        using varied = varied_in<Sweep>;
+        constexpr int channels = detail::channels_of<varied>;
+        const std::ptrdiff_t next = std::ptrdiff_t{memory.tile.width} * memory.tile.height, plane = memory.step.plane;
+        const int centre = offsets.dy == 0 && offsets.first <= 0 && 0 < offsets.last ? -offsets.first : -1;
         for (int x = 0; x < tile.x1 - tile.x0; x += lanes::size) {
             const float* p = staged.at(0, tile.x0 + x, y);
             const float* q = p + offsets.first + offsets.dy * staged.step.row;
-            float* sum = memory.sums + (y - tile.y0) * memory.tile.width + x;
-            const auto add = [&](const auto& weight) {
-                lanes w[group];
-                for (int i = 0; i < offsets.size(); ++i)
-                    w[i] = weight(pixel_pair<lanes, reads>(p, q + i, staged.step, offsets.first + i, offsets.dy,
-                                                           ahead.at(memory.patches, i, x)));
-                sum = add_neighbours(w, offsets.size(), q, reads::count, values, memory, sum);
+            const auto pair = [&]<class Real>(std::type_identity<Real>, int i) WINNOW_HD_LAMBDA {
+                return pixel_pair<Real, reads>(p, q + i, staged.step, offsets.first + i, offsets.dy,
+                                               prepared{ahead.at(memory.patches, i, x), ahead.width()});
             };
-            std::apply([&](const auto&... weight) { (add(weight), ...); }, weights);
+            shared.for_each([&](int place, const auto& distance) WINNOW_HD_LAMBDA {
+                lanes d[group];  // stored last: stores would keep what depends on p alone from being computed once
+                for (int i = 0; i < offsets.size(); ++i) d[i] = distance(pair(std::type_identity<lanes>{}, i));
+                for (int i = 0; i < offsets.size(); ++i)
+                    d[i].store(ahead.at(memory.patches, i, x) + place * ahead.width());
+            });
+
+            lanes w[Sweep::count][group], dw[channels + 1][Sweep::count][group];
+            float* sums[Sweep::count];
+            detail::for_each_node(shared.weights(), [&](const auto& weight, auto k) WINNOW_HD_LAMBDA {
+                sums[k] =
+                    memory.sums + k * sums_of_weight<Sweep>(values) * next + (y - tile.y0) * memory.tile.width + x;
+                for (int i = 0; i < offsets.size(); ++i)
+                    if constexpr (varies<Sweep, k>) {
+                        const auto varying = weight(pair(std::type_identity<differential<lanes, varied>>{}, i));
+                        w[k][i] = varying.value();
+                        // A pixel's weight for itself is the same whatever its value.
+                        for (int c = 0; c < channels; ++c) dw[c][k][i] = i == centre ? lanes(0.0f) : varying.slope(c);
+                    } else {
+                        w[k][i] = weight(pair(std::type_identity<lanes>{}, i));
+                        for (int c = 0; c < channels; ++c) dw[c][k][i] = lanes(0.0f);
+                    }
+            });
+
+            const float* const value = q + (1 + reads::count) * plane;
+            with_count(offsets.size(), [&](auto count) WINNOW_HD_LAMBDA {
+                add<count>(w, q, sums, 0);  // the coverage: only neighbours that exist count
+                for (int v = 0; v < values; ++v) add<count>(w, value + v * plane, sums, (1 + v) * next);
+                for (int c = 0; c < channels; ++c) {
+                    add<count>(dw[c], q, sums, (1 + values + 2 * c) * next);
+                    add<count>(dw[c], value + c * plane, sums, (2 + values + 2 * c) * next);
+                }
+            });
+            if constexpr (channels > 0)
+                if (centre >= 0)
+                    for (int k = 0; k < Sweep::count; ++k)
+                        for (int c = 0; c < channels; ++c) {
+                            float* const to = sums[k] + (2 + values + 2 * c) * next;
+                            (lanes::load(to) + w[k][centre]).store(to);
+                        }
         }
     }
 
-    /// Adds count weights to the sum of weights, and the weighted values to theirs; returns where the next sums lie.
-    static float* add_neighbours(const lanes* w, int count, const float* q, int guides, int values, const parts& memory,
-                                 float* sum) {
-        float* end = sum;
+    /// f(count), with a count from 1 to group that the compiler knows.
+    template <class F>
+    static void with_count(int count, const F& f) {
         [&]<int... Less>(std::integer_sequence<int, Less...>) {
-            ((count == Less + 1 ? void(end = add_exactly<Less + 1>(w, q, guides, values, memory, sum)) : void()), ...);
+            ((count == Less + 1 ? f(std::integral_constant<int, Less + 1>{}) : void()), ...);
         }
         (std::make_integer_sequence<int, group>{});
-        return end;
     }
-    template <int Count>
-    static float* add_exactly(const lanes* w, const float* q, int guides, int values, const parts& memory, float* sum) {
-        lanes weight[Count];  // a copy that no store can alias: it stays in registers
-        for (int i = 0; i < Count; ++i) weight[i] = w[i];
-        const std::ptrdiff_t next = std::ptrdiff_t{memory.tile.width} * memory.tile.height, plane = memory.step.plane;
-        const float* u = q;  // the coverage: only neighbours that exist count
-        for (int v = -1; v < values; ++v, sum += next, u = q + (1 + guides + v) * plane) {
-            lanes s = lanes::load(sum);
-            for (int i = 0; i < Count; ++i) s = lanes::fma(weight[i], lanes::load(u + i), s);
-            s.store(sum);
+    /// Of each weight k:  sums[k] += w[k][0] u[0] + w[k][1] u[1] + ...
+    template <int Count, int Weights>
+    WINNOW_HD static void add(const lanes (&w)[Weights][group], const float* u, float* const (&sums)[Weights],
+                              std::ptrdiff_t plane) {
+        lanes s[Weights];
+        for (int k = 0; k < Weights; ++k) s[k] = lanes::load(sums[k] + plane);
+        for (int i = 0; i < Count; ++i) {
+            const lanes x = lanes::load(u + i);
+            for (int k = 0; k < Weights; ++k) s[k] = lanes::fma(w[k][i], x, s[k]);
         }
-        return sum;
+        for (int k = 0; k < Weights; ++k) s[k].store(sums[k] + plane);
     }
+
+    /// One row of one weight's sums; see write_row.
+    template <class Sweep>
+    struct row {
+        const staged_tile& staged;
+        const float* sums;
+        std::ptrdiff_t next;
+        int values, x0, y;
+
+        float sum(int plane, int x) const { return sums[plane * next + x - x0]; }
+        float support(int x) const { return sum(0, x); }
+        float filtered(int v, int x) const {
+            const float total = support(x);
+            return total > no_weight ? sum(1 + v, x) / total : input(v, x);
+        }
+        float derivative(int c, int x) const {
+            const float total = support(x);
+            if (!(total > no_weight)) return 1;
+            return (sum(2 + values + 2 * c, x) - filtered(c, x) * sum(1 + values + 2 * c, x)) / total;
+        }
+        float input(int v, int x) const { return *staged.at(1 + Sweep::reads::count + v, x, y); }
+        float variance(int c, int x) const {
+            return *staged.at(1 + slot_of<variance_of<varied_in<Sweep>>>(typename Sweep::reads{}) + c, x, y);
+        }
+    };
 
     template <class Sweep>
     static void finish(const Sweep& sweep, const sweep_buffers& buffers, const parts& memory, const staged_tile& staged,
                        rectangle tile) {
         const int values = static_cast<int>(buffers.values.size());
-        const std::ptrdiff_t next = memory.tile.width * memory.tile.height;
-        for (int k = 0; k < Sweep::count; ++k)
-            for (int y = tile.y0; y < tile.y1; ++y) {
-                float* sums = memory.sums + k * (1 + values) * next + (y - tile.y0) * memory.tile.width;
-                const auto input = [&](int v, int x) { return *staged.at(1 + Sweep::reads::count + v, x, y); };
-                write_row(
-                    buffers, sweep.estimator, k, tile, y,
-                    [&](int v, int x) {
-                        const float total = sums[x - tile.x0];
-                        return total > no_weight ? sums[(1 + v) * next + x - tile.x0] / total : input(v, x);
-                    },
-                    input);
-            }
+        const std::ptrdiff_t next = std::ptrdiff_t{memory.tile.width} * memory.tile.height;
+        detail::for_each_node(sweep.weights, [&](const auto&, auto k) {
+            for (int y = tile.y0; y < tile.y1; ++y)
+                write_row(buffers, sweep.estimator, k, tile, y,
+                          row<Sweep>{staged,
+                                     memory.sums + k * sums_of_weight<Sweep>(values) * next +
+                                         (y - tile.y0) * std::ptrdiff_t{memory.tile.width},
+                                     next, values, tile.x0, y});
+        });
     }
 };
 

@@ -16,7 +16,7 @@ namespace winnow {
 /// Several filters over one window, run together so that what they share is worked out once.
 template <class Window, class Estimator, class... Weights>
 struct sweep {
-    using reads = joined<typename Weights::reads...>;
+    using reads = joined<typename Weights::reads..., typename Estimator::reads>;
     static constexpr int count = sizeof...(Weights);
 
     Window window;
@@ -28,11 +28,15 @@ struct sweep {
 /// The memory of one sweep, type-erased; filled by the filter, used again from run to run.
 struct sweep_buffers {
     extent size;
-    std::vector<source> guides;   ///< one a plane of `reads`; empty where the executor derives the plane
-    std::vector<source> values;   ///< the planes to filter: colour, its halves if asked for, further layers
-    std::vector<target> results;  ///< [weight][value]; empty where nobody asked for it
-    std::vector<target> errors;   ///< [weight][channel of colour]; likewise
-    int channels = 0;             ///< of colour: values[0 .. channels) are its mean, then come its halves
+    std::vector<source> guides;       ///< one a plane of `reads`; empty where the executor derives the plane
+    std::vector<source> values;       ///< the planes to filter: colour, its halves, further layers, as far as asked for
+    int channels = 0;                 ///< of colour
+    bool mean = false;                ///< whether the values begin with the colour
+    bool halves = false;              ///< whether its halves come next
+    std::vector<target> results;      ///< [weight][value]; empty where nobody asked for it, as are the following
+    std::vector<target> errors;       ///< [weight][channel of colour]
+    std::vector<target> derivatives;  ///< [weight][channel of colour]
+    std::vector<target> supports;     ///< [weight]
 };
 
 namespace detail {
@@ -60,7 +64,32 @@ template <class... G>
 constexpr bool any_gradient(planes<G...>) {
     return (is_gradient<G> || ...);
 }
+
+/// The buffer with respect to which an estimator needs the derivative of the filter; void where it needs none.
+template <class Estimator>
+struct varied_by {
+    using type = void;
+};
+template <class Estimator>
+requires(Estimator::needs_derivative) struct varied_by<Estimator> {
+    using type = typename Estimator::varies;
+};
+
+/// Whether an expression changes with buffer G.
+template <class Node, class G>
+inline constexpr bool varies_with = contains<G, typename Node::reads>;
+template <class Node>
+inline constexpr bool varies_with<Node, void> = false;
+
+template <class G>
+inline constexpr int channels_of = G::channels;
+template <>
+inline constexpr int channels_of<void> = 0;
 }  // namespace detail
+
+/// The buffer with respect to which a sweep needs derivatives, or void.
+template <class Sweep>
+using varied_in = typename detail::varied_by<decltype(Sweep::estimator)>::type;
 
 /// The window's reach and half width as far as an image of this size can feel them: clipped offsets add nothing.
 template <class Sweep>

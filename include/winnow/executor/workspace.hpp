@@ -8,6 +8,7 @@
 #include <new>
 #include <winnow/executor/sweep.hpp>
 #include <winnow/frame/output.hpp>
+#include <winnow/frame/variance.hpp>
 
 namespace winnow {
 
@@ -48,8 +49,15 @@ struct workspace {
     scratch_memory tiles;   ///< the executor's
     scratch_memory images;  ///< whole images between the passes of a filter with several
     sweep_buffers buffers;
-    output pass;  ///< where one pass of a filter with several writes
+    std::vector<output> passes;  ///< where the passes of a filter with several write
+    variance_memory noise;
     winnow::progress progress;
+
+    /// The i-th of `passes`, anew.
+    output& pass(const target& mean, std::size_t i = 0) {
+        if (passes.size() <= i) passes.resize(i + 1);
+        return passes[i].reset(mean);
+    }
 };
 
 }  // namespace winnow

@@ -66,12 +66,17 @@ source find_or_fail(const Frame& in, G) {
 
 /// Fills the buffers of a sweep from a frame and one output for each of its weights.
 template <class Sweep, class Frame>
-void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out, sweep_buffers& buffers) {
+void bind_sweep(const Frame& in, std::span<const output> out, sweep_buffers& buffers) {
+    using estimator = std::remove_const_t<decltype(Sweep::estimator)>;
     const auto value = filtered_guide(in);
-    const source main = find_or_fail(in, value);
+    if constexpr (estimator::needs_derivative)
+        static_assert(std::is_same_v<typename estimator::varies, decltype(filtered_guide(in))>,
+                      "the estimator wants the derivative with respect to another buffer than the frame filters");
+    const bool layers_alone = std::is_same_v<Frame, frame<>> && !out[0].layers().empty();
+    const source main = layers_alone ? out[0].layers()[0].first : find_or_fail(in, value);
     if (main.size.width < 1 || main.size.height < 1)
         fail(value.name() + " is " + to_string(main.size) + ": there is nothing to filter");
-    if (main.channels != value.channels)
+    if (!layers_alone && main.channels != value.channels)
         fail(value.name() + " has " + std::to_string(main.channels) + " channels, it needs " +
              std::to_string(value.channels));
     buffers.size = main.size;
@@ -80,6 +85,8 @@ void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out
     buffers.values.clear();
     buffers.results.clear();
     buffers.errors.clear();
+    buffers.derivatives.clear();
+    buffers.supports.clear();
 
     Sweep::reads::for_each([&]<class G>(G) {
         source layer;
@@ -93,19 +100,26 @@ void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out
     const auto add_values = [&](const source& layer) {
         for (int c = 0; c < layer.channels; ++c) buffers.values.push_back(layer.channel(c));
     };
-    add_values(main);
-    bool halves = false, errors = false;
+    bool estimates = false;
+    buffers.mean = buffers.halves = false;
     for (const output& o : out) {
-        halves = halves || o.half_a() || o.half_b();
-        errors = errors || o.error();
+        buffers.mean = buffers.mean || o.mean();
+        buffers.halves = buffers.halves || o.half_a() || o.half_b();
+        if (o.error() && !estimator::reports)
+            fail(
+                "an error image is asked for, but the filter has no estimator; use "
+                "filter.with(estimator::residual_variance{}) or filter.with(estimator::sure{})");
+        if (o.derivative() && !estimator::needs_derivative)
+            fail("a derivative is asked for, but the filter's estimator has none; use filter.with(estimator::sure{})");
+        estimates = estimates || o.error() || o.derivative();
         if (o.layers().size() != out[0].layers().size()) fail("the outputs do not ask for the same further layers");
     }
-    if (errors && !sweep.estimator.reports)
-        fail(
-            "an error image is asked for, but the filter has no estimator; use "
-            "filter.with(estimator::standard_error{})");
-    if (halves || (errors && sweep.estimator.needs_halves)) {
-        halves = true;
+    buffers.halves = buffers.halves || (estimates && estimator::needs_halves);
+    // Estimates are made of the mean; halves come after it.
+    buffers.mean = buffers.mean || buffers.halves || estimates || estimator::needs_derivative;
+    if (layers_alone && buffers.mean) fail("the filter needs " + value.name() + ", which the frame does not have");
+    if (buffers.mean) add_values(main);
+    if (buffers.halves) {
         const auto half = [&](auto g) {
             const source layer = in.find(g);
             if (!layer)
@@ -122,34 +136,33 @@ void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out
         add_values(layer.first);
     }
 
-    const auto add_target = [&](const target& to, int channels, const char* what) {
-        if (to) {
-            check_layer(what, source(to), channels, buffers.size, value);
-            for (const source& from : buffers.guides)
-                if (from && overlap(from, to))
+    const auto add = [&](std::vector<target>& to, const target& layer, int channels, const char* what) {
+        if (layer) {
+            check_layer(what, source(layer), channels, buffers.size, value);
+            const auto check_apart = [&](const source& from) {
+                if (from && overlap(from, layer))
                     fail(std::string(what) + " overlaps the input; filter into other memory");
-            for (const source& from : buffers.values)
-                if (overlap(from, to)) fail(std::string(what) + " overlaps the input; filter into other memory");
+            };
+            for (const source& from : buffers.guides) check_apart(from);
+            for (const source& from : buffers.values) check_apart(from);
         }
-        for (int c = 0; c < channels; ++c) buffers.results.push_back(to ? to.channel(c) : target{});
+        for (int c = 0; c < channels; ++c) to.push_back(layer ? layer.channel(c) : target{});
     };
     for (const output& o : out) {
-        add_target(o.mean(), buffers.channels, "the output");
-        if (halves) {
-            add_target(o.half_a(), buffers.channels, "the output of the first half");
-            add_target(o.half_b(), buffers.channels, "the output of the second half");
+        if (buffers.mean) add(buffers.results, o.mean(), buffers.channels, "the output");
+        if (buffers.halves) {
+            add(buffers.results, o.half_a(), buffers.channels, "the output of the first half");
+            add(buffers.results, o.half_b(), buffers.channels, "the output of the second half");
         }
         for (std::size_t i = 0; i < o.layers().size(); ++i) {
             if (o.layers()[i].first != out[0].layers()[i].first)
                 fail("the outputs do not ask for the same further layers");
-            add_target(o.layers()[i].second, o.layers()[i].first.channels, "the output of a further layer");
+            add(buffers.results, o.layers()[i].second, o.layers()[i].first.channels, "the output of a further layer");
         }
+        add(buffers.errors, o.error(), buffers.channels, "the output of the error");
+        add(buffers.derivatives, o.derivative(), buffers.channels, "the output of the derivative");
+        add(buffers.supports, o.support(), 1, "the output of the sum of weights");
     }
-    // Errors are written like results, then kept apart.
-    const std::size_t results = buffers.results.size();
-    for (const output& o : out) add_target(o.error(), buffers.channels, "the output of the error");
-    buffers.errors.assign(buffers.results.begin() + results, buffers.results.end());
-    buffers.results.resize(results);
 }
 
 /// Calls check() of every policy that has one.
@@ -166,7 +179,7 @@ template <class Sweep, class Frame, class Executor>
 void run_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out, const Executor& executor,
                workspace& memory) {
     check_numbers(sweep);
-    bind_sweep(sweep, in, out, memory.buffers);
+    bind_sweep<Sweep>(in, out, memory.buffers);
     run_tiles(executor.kernel(), sweep, memory, executor.workers(),
               [&](int count, const auto& work) { executor.dispatch(count, work); });
 }

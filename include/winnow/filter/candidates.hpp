@@ -14,7 +14,7 @@ namespace winnow {
 template <class Window, class Estimator, class... Weights>
 class candidates {
 public:
-    using reads = joined<typename Weights::reads...>;
+    using reads = joined<typename Weights::reads..., typename Estimator::reads>;
     static constexpr std::size_t count = sizeof...(Weights);
 
     candidates(const filter<Weights, Window, Estimator>&... filters)
@@ -27,10 +27,10 @@ public:
     template <frame_to_filter<reads> Frame, executor_policy Executor = executor::serial<>>
     void operator()(const Frame& in, const std::array<output, count>& out, const Executor& executor = {}) const {
         workspace memory;
-        (*this)(in, out, executor, memory);
+        (*this)(in, std::span<const output, count>(out), executor, memory);
     }
     template <frame_to_filter<reads> Frame, executor_policy Executor>
-    void operator()(const Frame& in, const std::array<output, count>& out, const Executor& executor,
+    void operator()(const Frame& in, std::span<const output, count> out, const Executor& executor,
                     workspace& memory) const {
         detail::run_sweep(sweep_, in, std::span<const output>(out), executor, memory);
     }

@@ -55,7 +55,7 @@ struct dual_buffer {
         float* const second = first + floats;
 
         const auto run = [&](const auto& frame, float* into) {
-            output& o = memory.pass.reset(planar(into, a.size, a.channels));
+            output& o = memory.pass(planar(into, a.size, a.channels));
             float* next = into + a.size.pixels() * a.channels;
             for (const auto& layer : out.layers()) {
                 o.layer(layer.first, planar(next, a.size, layer.first.channels));
@@ -78,7 +78,7 @@ struct dual_buffer {
         combine(out.mean(), 0, mean);
         combine(out.half_a(), 0, [](float x, float) { return x; });
         combine(out.half_b(), 0, [](float, float y) { return y; });
-        combine(out.error(), 0, [](float x, float y) { return x < y ? (y - x) / 2 : (x - y) / 2; });
+        combine(out.error(), 0, [](float x, float y) { return (x - y) * (x - y) / 4; });
         int plane = a.channels;
         for (const auto& layer : out.layers()) {
             combine(layer.second, plane, mean);

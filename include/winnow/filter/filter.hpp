@@ -18,7 +18,7 @@ struct filter {
     static_assert(weight_policy<Weight>);
     static_assert(window_policy<Window>);
     static_assert(estimator_policy<Estimator>);
-    using reads = typename Weight::reads;
+    using reads = joined<typename Weight::reads, typename Estimator::reads>;
 
     Weight weight;
     Window window{};
@@ -27,13 +27,13 @@ struct filter {
 
     /// Filters the colour of `in` into `out`.  Throws invalid_input before any work if buffers or numbers do not fit.
     /// Non-finite pixels are replaced by the mean of their finite neighbours (see `diagnose`, which counts them).
-    template <frame_to_filter<typename Weight::reads> Frame, executor_policy Executor = executor::serial<>>
+    template <frame_to_filter<reads> Frame, executor_policy Executor = executor::serial<>>
     void operator()(const Frame& in, const output& out, const Executor& executor = {}) const {
         workspace memory;
         (*this)(in, out, executor, memory);
     }
     /// The same with the caller's workspace: from the second run of the same size on, nothing is allocated.
-    template <frame_to_filter<typename Weight::reads> Frame, executor_policy Executor>
+    template <frame_to_filter<reads> Frame, executor_policy Executor>
     void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory) const {
         detail::run_sweep(as_sweep(), in, std::span(&out, 1), executor, memory);
     }

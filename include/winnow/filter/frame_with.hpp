@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 #include <winnow/executor/sweep.hpp>
+#include <winnow/frame/frame.hpp>
 
 namespace winnow {
 
@@ -43,8 +44,10 @@ concept has_layer = Frame::has(G{});
 template <class Frame, class Reads>
 concept frame_with = has_layer<Frame, decltype(detail::first_missing<Frame>(detail::without_gradients(Reads{})))>;
 
-/// The frame has what is filtered and every buffer in the list Reads.
+/// The frame has what is filtered and every buffer in the list Reads.  An empty frame is enough for a filter that reads
+/// nothing and is applied to further layers alone.
 template <class Frame, class Reads>
-concept frame_to_filter = frame_with<Frame, joined<planes<detail::filtered_of<Frame>>, Reads>>;
+concept frame_to_filter = frame_with<Frame, joined<planes<detail::filtered_of<Frame>>, Reads>> ||
+    (std::is_same_v<Frame, frame<>>&& Reads::count == 0);
 
 }  // namespace winnow

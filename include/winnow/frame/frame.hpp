@@ -67,6 +67,27 @@ private:
     std::vector<std::pair<std::string, source>> layers_;
 };
 
+/// The same frame, of which G is filtered in place of the colour.
+template <guide G, class Frame>
+struct filtering_frame {
+    const Frame& in;
+
+    template <guide H>
+    static constexpr bool has(H) {
+        return Frame::has(H{});
+    }
+    template <guide H>
+    source find(H) const {
+        return in.find(H{});
+    }
+    G filtered() const { return {}; }
+};
+/// `in` must outlive it.
+template <guide G, class Frame>
+constexpr filtering_frame<G, Frame> filtering(G, const Frame& in) {
+    return {in};
+}
+
 /// The frame with one half of the samples as what is filtered and the other half as what guides:
 /// `color` is Guide<color>, its variance that of Guide<color>, and the filter is applied to Value<color>.
 template <class Frame, template <class> class Guide, template <class> class Value>

@@ -25,9 +25,19 @@ public:
         half_b_ = b;
         return *this;
     }
-    /// The filter's own estimate of its error, in the unit of the colour.
+    /// The filter's own estimate of its squared error, channel by channel, in squared units of the colour.
     output& error(target e) {
         error_ = e;
+        return *this;
+    }
+    /// dF / du, channel by channel: which share of its own noise a pixel keeps.
+    output& derivative(target d) {
+        derivative_ = d;
+        return *this;
+    }
+    /// The sum of the weights of a pixel, one channel: as many neighbours, in effect, as its mean is taken over.
+    output& support(target s) {
+        support_ = s;
         return *this;
     }
     /// Any further layer, filtered with the same weights: layers that add up to the colour still do afterwards.
@@ -38,7 +48,7 @@ public:
     /// Starts anew with another mean; what the list of layers has allocated is kept.
     output& reset(const target& mean) {
         mean_ = mean;
-        half_a_ = half_b_ = error_ = {};
+        half_a_ = half_b_ = error_ = derivative_ = support_ = {};
         layers_.clear();
         return *this;
     }
@@ -47,10 +57,12 @@ public:
     const target& half_a() const { return half_a_; }
     const target& half_b() const { return half_b_; }
     const target& error() const { return error_; }
+    const target& derivative() const { return derivative_; }
+    const target& support() const { return support_; }
     const std::vector<std::pair<source, target>>& layers() const { return layers_; }
 
 private:
-    target mean_, half_a_, half_b_, error_;
+    target mean_, half_a_, half_b_, error_, derivative_, support_;
     std::vector<std::pair<source, target>> layers_;
 };
 

@@ -1,40 +1,350 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 /// \file
-/// One candidate of RDFC: colour and features decide together.
-/// Rousselle, Manzi, Zwicker, "Robust Denoising using Feature and Color Information", 2013, sections 4 to 6.
-#include <winnow/distance/combine.hpp>
-#include <winnow/distance/cross_feature.hpp>
-#include <winnow/distance/noise_normalized.hpp>
-#include <winnow/distance/patch.hpp>
-#include <winnow/filter/filter.hpp>
-#include <winnow/weight/combine.hpp>
-#include <winnow/weight/exponential.hpp>
+/// RDFC: three filters between trust in colour and trust in features, and an estimate of which is right where.
+/// Rousselle, Manzi, Zwicker, "Robust Denoising using Feature and Color Information", 2013.
+#include <array>
+#include <winnow/filter/candidates.hpp>
+#include <winnow/filter/passes.hpp>
+#include <winnow/paper/nlm_2012.hpp>
+#include <winnow/paper/rdfc_2013_candidate.hpp>
+#include <winnow/paper/rdfc_2013_selection.hpp>
 
 namespace winnow::paper {
 
-/// The smaller of a non-local means weight of the colour and a bilateral weight of the least similar feature.
-using rdfc_candidate =
-    filter<weight::min_of<weight::exponential<distance::patch<distance::noise_normalized<color_t>>>,
-                          weight::exponential<distance::max_of<
-                              distance::max_of<distance::cross_feature<albedo_t>, distance::cross_feature<normal_t>>,
-                              distance::cross_feature<depth_t>>>>>;
-
-/// The defaults are the paper's SECOND candidate; patch_radius 1 gives FIRST.
-struct rdfc_candidate_numbers {
-    int radius = 10;         ///< of the window, in pixels: the one parameter that the paper leaves to the user
-    int patch_radius = 3;    ///< in pixels
-    float k_color = 0.45f;   ///< sensitivity to colour differences: larger filters more
-    float k_feature = 0.6f;  ///< sensitivity to feature differences
-    float tau = 1e-3f;       ///< see distance::cross_feature
-    float epsilon = 1e-10f;  ///< see distance::noise_normalized
+struct rdfc_numbers {
+    int radius = 10;           ///< of the window, in pixels; 20 where light has spikes
+    float k_color = 0.45f;     ///< sensitivity to colour differences: larger filters more
+    float k_feature = 0.6f;    ///< sensitivity to feature differences
+    float tau = 1e-2f;         ///< of FIRST and SECOND: squared contrast below which features are alike
+    float tau_third = 1e-3f;   ///< of THIRD
+    float epsilon = 1e-10f;    ///< variance below which a difference of colours is real
+    int feature_radius = 5;    ///< of the window of the feature prefilter, in pixels
+    float half_share = 0.25f;  ///< how much of (A - B)^2 is the variance of the mean: see share_of_halves
+    float feature_share = 1;   ///< the same, of a filtered feature; by the paper's words, all of it
 };
 
-constexpr rdfc_candidate make_rdfc_candidate(rdfc_candidate_numbers n = {}) {
-    return {min(exponential(patch(noise_normalized(color, {n.k_color, n.epsilon}), {n.patch_radius})),
-                exponential(max(cross(albedo, {n.k_feature, n.tau}), cross(normal, {n.k_feature, n.tau}),
-                                cross(depth, {n.k_feature, n.tau})))),
-            window::square{.radius = n.radius}};
-}
+/// Features: the buffers beside the colour, in unit range (see unit_range), for instance
+/// planes<albedo_t, normal_t, depth_t, visibility_t>.  Selection: binary_maps as in the paper, or convex_blend.
+///
+/// Reads the colour and its halves; as far as they are there, the variance of the colour's mean, which is scaled to
+/// what the halves show, and the halves and the variance of each feature.  A feature without halves is taken for exact.
+/// The estimated error, the derivative and the sum of weights that an output may ask for are those of the first pass.
+template <class Features, class Selection = binary_maps>
+struct rdfc_of;
+
+template <guide... Feature, class Selection>
+struct rdfc_of<planes<Feature...>, Selection> {
+    using features = planes<Feature...>;
+    using reads = planes<color_t, half_a<color_t>, half_b<color_t>, Feature...>;
+    using optional =
+        joined<planes<variance_of<color_t>>, planes<variance_of<Feature>, half_a<Feature>, half_b<Feature>>...>;
+
+    rdfc_numbers numbers{};
+    Selection selection{};
+
+    template <frame_with<reads> Frame, executor_policy Executor = executor::serial<>>
+    void operator()(const Frame& in, const output& out, const Executor& executor = {}) const {
+        workspace memory;
+        (*this)(in, out, executor, memory);
+    }
+
+    /// `selected`, where it is given, gets the shares of FIRST, SECOND and THIRD: three channels that add up to 1.
+    template <frame_with<reads> Frame, executor_policy Executor>
+    void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory,
+                    const target& selected = {}) const {
+        const extent size = check(in, out, selected);
+        scratch_images images(memory, size, scratch_planes(out));
+        const pass_runner passes(executor, memory);
+
+        const image_view<float> color_noise = images.take(3);
+        noise_of(in, color, color_noise, memory);
+        const std::array cleaned{prefilter(passes, in, Feature{}, images)...};
+        const auto guides = [&]<std::size_t... I>(std::index_sequence<I...>) {
+            return frame{color = in.find(color),
+                         variance(color) = color_noise,
+                         first_half(color) = in.find(first_half(color)),
+                         second_half(color) = in.find(second_half(color)),
+                         (Feature{} = cleaned[I].mean)...,
+                         (variance(Feature{}) = cleaned[I].variance)...};
+        }
+        (std::index_sequence_for<Feature...>{});
+
+        std::array<candidate_images, 3> candidate{take_candidate(images, out), take_candidate(images, out),
+                                                  take_candidate(images, out)};
+        run_candidates(guides, candidate, out, executor, memory);
+
+        const image_view<float> share = images.take(3), error = images.take(1);
+        select(passes, guides, candidate, share, error, images);
+        write_estimates(passes, candidate, share, error, out, selected);
+        average(passes, candidate, share);
+        second_pass(passes, candidate, out);
+    }
+    bool operator==(const rdfc_of&) const = default;
+
+    /// How far from a pixel its result can depend on the input, in pixels.
+    friend int halo(const rdfc_of& f) {
+        const int scaling = 10, features = halo(f.feature_filter(albedo)) + 2;
+        return std::max(scaling, features) + std::max(halo(f.first()), halo(f.second())) +
+               halo(f.smoothing(f.selection.error_radius)) + halo(f.smoothing(f.selection.map_radius)) + 2 +
+               halo(f.last());
+    }
+
+    // The filters that it is made of.
+    auto first() const { return candidate_filter(1); }
+    auto second() const { return candidate_filter(3); }
+    auto third() const {
+        return filter{rdfc_feature_weight(features{}, numbers.k_feature, numbers.tau_third),
+                      window::square{.radius = numbers.radius}}
+            .with(estimator::sure{});
+    }
+    template <guide G>
+    auto feature_filter(G) const {
+        return filter{exponential(patch(noise_normalized(G{}, {.k = 1}), {.radius = 3})),
+                      window::square{.radius = numbers.feature_radius}};
+    }
+    /// Of error maps and selection maps.
+    auto smoothing(int radius) const {
+        return filter{rdfc_color_weight(1, 1, numbers.epsilon), window::square{.radius = radius}};
+    }
+    auto last() const {
+        return make_nlm(
+            {.radius = numbers.radius, .patch_radius = 1, .k = numbers.k_color, .epsilon = numbers.epsilon});
+    }
+
+private:
+    struct cleaned_feature {
+        source mean, variance;
+    };
+    /// What one candidate leaves; `further` are the further layers, side by side.
+    struct candidate_images {
+        image_view<float> mean, half_a, half_b, derivative, support, further;
+    };
+
+    auto candidate_filter(int patch_radius) const {
+        return make_rdfc_candidate_of<features>(
+                   {numbers.radius, patch_radius, numbers.k_color, numbers.k_feature, numbers.tau, numbers.epsilon})
+            .with(estimator::sure{});
+    }
+
+    static int further_channels(const output& out) {
+        int channels = 0;
+        for (const auto& layer : out.layers()) channels += layer.first.channels;
+        return channels;
+    }
+    static int scratch_planes(const output& out) {
+        const int candidate = 3 * 4 + 1 + further_channels(out);
+        return 3 + 2 * features::count + 3 * candidate + 4 + 2 * Selection::statistics + 3;
+    }
+
+    template <class Frame>
+    static extent check(const Frame& in, const output& out, const target& selected) {
+        const source main = detail::find_or_fail(in, color);
+        if (main.size.width < 1 || main.size.height < 1)
+            fail("color is " + to_string(main.size) + ": there is nothing to filter");
+        const auto check_layer = [&](auto guide, const source& layer) {
+            if (layer) detail::check_layer(guide, layer, guide.channels, main.size, color);
+        };
+        const auto check_guide = [&](auto g) {
+            check_layer(g, detail::find_or_fail(in, g));
+            check_layer(variance(g), in.find(variance(g)));
+            check_layer(first_half(g), in.find(first_half(g)));
+            check_layer(second_half(g), in.find(second_half(g)));
+        };
+        check_guide(color);
+        (check_guide(Feature{}), ...);
+        if (!in.find(first_half(color)) || !in.find(second_half(color)))
+            fail("rdfc needs " + first_half(color).name() + " and " + second_half(color).name() +
+                 "; render the frame twice with other seeds, or split its samples by parity");
+        const auto check_target = [&](const char* name, const target& to, int channels) {
+            if (to) detail::check_layer(name, source(to), channels, main.size, color);
+        };
+        check_target("the output", out.mean(), 3);
+        check_target("the output of the first half", out.half_a(), 3);
+        check_target("the output of the second half", out.half_b(), 3);
+        check_target("the output of the error", out.error(), 3);
+        check_target("the output of the derivative", out.derivative(), 3);
+        check_target("the output of the sum of weights", out.support(), 1);
+        check_target("the output of the selection", selected, 3);
+        for (const auto& layer : out.layers()) {
+            detail::check_layer("a further layer", layer.first, layer.first.channels, main.size, color);
+            check_target("the output of a further layer", layer.second, layer.first.channels);
+        }
+        return main.size;
+    }
+
+    /// Lines 2 and 4: the variance of the mean of G, at the magnitude that its halves show.
+    template <class Frame, guide G>
+    void noise_of(const Frame& in, G g, const image_view<float>& to, workspace& memory) const {
+        const source a = in.find(first_half(g)), b = in.find(second_half(g)), samples = in.find(variance(g));
+        if (samples) scale_variance_to_halves(samples, a, b, to, 10, numbers.half_share, memory.noise);
+        else variance_from_halves(a, b, to, 1, numbers.half_share, memory.noise);
+    }
+
+    /// Lines 5 to 8: a feature filtered by itself, and the variance that is left.
+    template <class Passes, class Frame, guide G>
+    cleaned_feature prefilter(const Passes& passes, const Frame& in, G g, scratch_images& images) const {
+        const source noisy = in.find(g), a = in.find(first_half(g)), b = in.find(second_half(g));
+        const image_view<float> residual = images.take(G::channels);
+        if (!a || !b) {
+            passes.for_each_value(residual, [](std::ptrdiff_t) { return 0.0f; });
+            return {noisy, residual};
+        }
+        const image_view<float> mean = images.take(G::channels);
+        scratch_images later = images;  // memory that the candidates will take
+        const auto noise = later.take(G::channels), half_a = later.take(G::channels), half_b = later.take(G::channels);
+        noise_of(in, g, noise, passes.memory());
+        const frame guides{g = noisy, variance(g) = noise, first_half(g) = a, second_half(g) = b};
+        feature_filter(g)(filtering(g, guides), passes.memory().pass(mean).halves(half_a, half_b), passes.executor(),
+                          passes.memory());
+        residual_variance(passes, half_a, half_b, numbers.feature_share, noise, residual);
+        return {mean, residual};
+    }
+
+    /// buffer_var: share (A - B)^2, blurred with a Gaussian of half a pixel.
+    template <class Passes>
+    static void residual_variance(const Passes& passes, const image_view<float>& half_a,
+                                  const image_view<float>& half_b, float share, const image_view<float>& between,
+                                  const image_view<float>& to) {
+        passes.for_each_value(between, [&](std::ptrdiff_t i) {
+            const float difference = half_a.data[i] - half_b.data[i];
+            return std::min(share * difference * difference, detail::largest_variance);
+        });
+        passes.blur(between, to, 0.5f);
+    }
+
+    candidate_images take_candidate(scratch_images& images, const output& out) const {
+        const auto mean = images.take(3), half_a = images.take(3), half_b = images.take(3), slope = images.take(3);
+        const auto support = images.take(1);
+        return {mean, half_a, half_b, slope, support, images.take(further_channels(out))};
+    }
+
+    /// Lines 9 to 14, in one sweep.
+    template <class Guides, class Executor>
+    void run_candidates(const Guides& guides, const std::array<candidate_images, 3>& candidate, const output& out,
+                        const Executor& executor, workspace& memory) const {
+        for (std::size_t k = 3; k-- > 0;) {
+            const candidate_images& c = candidate[k];
+            output& pass = memory.pass(c.mean, k).halves(c.half_a, c.half_b).derivative(c.derivative);
+            pass.support(c.support);
+            int channel = 0;
+            for (const auto& layer : out.layers()) {
+                pass.layer(layer.first, c.further.channel(channel, layer.first.channels));
+                channel += layer.first.channels;
+            }
+        }
+        candidates{first(), second(), third()}(guides, std::span<const output, 3>(memory.passes.data(), 3), executor,
+                                               memory);
+    }
+
+    /// Lines 15 to 25: the share of each candidate in each pixel, and the estimated error of what they add up to.
+    template <class Passes, class Guides>
+    void select(const Passes& passes, const Guides& guides, const std::array<candidate_images, 3>& candidate,
+                const image_view<float>& share, const image_view<float>& error, scratch_images images) const {
+        constexpr int statistics = Selection::statistics;
+        const extent size = share.size;
+        const std::ptrdiff_t plane = size.pixels();
+        const image_view<float> raw = images.take(statistics), smooth = images.take(statistics), map = images.take(3);
+        const source u = guides.find(color), noise = guides.find(variance(color));
+        const auto pixel = [&](std::ptrdiff_t i) {
+            rdfc_candidates_pixel p;
+            const int x = static_cast<int>(i % size.width), y = static_cast<int>(i / size.width);
+            for (int c = 0; c < 3; ++c) {
+                p.input[c] = contained(u.channel(c), x, y);
+                p.variance[c] = contained(noise.channel(c), x, y);
+                for (int k = 0; k < 3; ++k) {
+                    p.filtered[k][c] = candidate[k].mean.data[i + c * plane];
+                    p.derivative[k][c] = candidate[k].derivative.data[i + c * plane];
+                }
+            }
+            return p;
+        };
+        passes.for_each_pixel(size, [&](std::ptrdiff_t i) {
+            const auto s = Selection::gather(pixel(i));
+            for (int j = 0; j < statistics; ++j) raw.data[i + j * plane] = s[j];
+        });
+        passes.apply(smoothing(selection.error_radius), guides, raw, smooth);
+        const auto smoothed = [&](std::ptrdiff_t i) {
+            std::array<float, statistics> s;
+            for (int j = 0; j < statistics; ++j) s[j] = smooth.data[i + j * plane];
+            return s;
+        };
+        passes.for_each_pixel(size, [&](std::ptrdiff_t i) {
+            const auto s = Selection::decide(smoothed(i), pixel(i));
+            for (int k = 0; k < 3; ++k) map.data[i + k * plane] = s[k];
+        });
+        passes.apply(smoothing(selection.map_radius), guides, map, share);
+        passes.for_each_pixel(size, [&](std::ptrdiff_t i) {
+            float* const s = share.data + i;
+            const float sum = s[0] + s[plane] + s[2 * plane];  // 1 but for rounding
+            for (int k = 0; k < 3; ++k) s[k * plane] /= sum;
+            error.data[i] = Selection::error(smoothed(i), {s[0], s[plane], s[2 * plane]});
+        });
+    }
+
+    /// sum_k share_k x_k at one value of the candidates' images.
+    static float mixed(const image_view<float>& share, std::ptrdiff_t i, float first, float second, float third) {
+        const std::ptrdiff_t plane = share.size.pixels(), pixel = i % plane;
+        const float* s = share.data + pixel;
+        return s[0] * first + s[plane] * second + s[2 * plane] * third;
+    }
+
+    template <class Passes>
+    void write_estimates(const Passes& passes, const std::array<candidate_images, 3>& candidate,
+                         const image_view<float>& share, const image_view<float>& error, const output& out,
+                         const target& selected) const {
+        const auto write = [&](const target& to, const auto& value) {
+            if (to)
+                for_each_row(passes.executor(), to.size, [&](int y) {
+                    for (int c = 0; c < to.channels; ++c)
+                        for (int x = 0; x < to.size.width; ++x)
+                            to.channel(c).set(x, y, value(c, std::ptrdiff_t{y} * to.size.width + x));
+                });
+        };
+        const std::ptrdiff_t plane = share.size.pixels();
+        const auto of = [&](auto image, std::ptrdiff_t i) {
+            return mixed(share, i, (candidate[0].*image).data[i], (candidate[1].*image).data[i],
+                         (candidate[2].*image).data[i]);
+        };
+        write(out.error(), [&](int, std::ptrdiff_t i) { return error.data[i]; });
+        write(out.derivative(),
+              [&](int c, std::ptrdiff_t i) { return of(&candidate_images::derivative, i + c * plane); });
+        write(out.support(), [&](int, std::ptrdiff_t i) { return of(&candidate_images::support, i); });
+        write(selected, [&](int c, std::ptrdiff_t i) { return share.data[i + c * plane]; });
+    }
+
+    /// Line 26: the first candidate becomes the average of all.
+    template <class Passes>
+    static void average(const Passes& passes, const std::array<candidate_images, 3>& candidate,
+                        const image_view<float>& share) {
+        for (const auto image : {&candidate_images::mean, &candidate_images::half_a, &candidate_images::half_b,
+                                 &candidate_images::further}) {
+            const float *second = (candidate[1].*image).data, *third = (candidate[2].*image).data;
+            float* const first = (candidate[0].*image).data;
+            passes.for_each_value(candidate[0].*image,
+                                  [&](std::ptrdiff_t i) { return mixed(share, i, first[i], second[i], third[i]); });
+        }
+    }
+
+    /// Lines 27 to 29: what noise the halves still show is filtered away, by itself.
+    template <class Passes>
+    void second_pass(const Passes& passes, const std::array<candidate_images, 3>& candidate, const output& out) const {
+        const candidate_images& averaged = candidate[0];
+        const image_view<float> between = candidate[1].derivative, noise = candidate[2].derivative;
+        residual_variance(passes, averaged.half_a, averaged.half_b, numbers.half_share, between, noise);
+        output& pass = passes.memory().pass(out.mean()).halves(out.half_a(), out.half_b());
+        int channel = 0;
+        for (const auto& layer : out.layers()) {
+            pass.layer(averaged.further.channel(channel, layer.first.channels), layer.second);
+            channel += layer.first.channels;
+        }
+        last()(frame{color = averaged.mean, variance(color) = noise, first_half(color) = averaged.half_a,
+                     second_half(color) = averaged.half_b},
+               pass, passes.executor(), passes.memory());
+    }
+};
+
+/// The features that renderers have, and the direct visibility of the lights that the paper introduces.
+using rdfc = rdfc_of<planes<albedo_t, normal_t, depth_t, visibility_t>>;
 
 }  // namespace winnow::paper

@@ -2,7 +2,7 @@
 #include <support/erase.hpp>
 #include <support/filters.hpp>
 #include <support/papers.hpp>
-#include <winnow/estimator/standard_error.hpp>
+#include <winnow/estimator/residual_variance.hpp>
 #include <winnow/paper/nlm_2012.hpp>
 
 namespace winnow::test {
@@ -18,7 +18,7 @@ any_filter nlm(filter_numbers n) {
 any_filter nlm_with_error(filter_numbers n) {
     return erase("nlm with error", paper::make_nlm({.radius = n.radius, .patch_radius = n.patch_radius, .k = 0.45f})
                                        .with(n.border)
-                                       .with(estimator::standard_error{}));
+                                       .with(estimator::residual_variance{}));
 }
 
 any_filter nlm_dual_buffer(filter_numbers n) {

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// Which parts of an expression an executor works out ahead, and what stands in their place: patches, because their
+/// sums cost less row by row, and distances that several weights of a sweep have in common.
+#include <winnow/executor/sweep.hpp>
+#include <winnow/frame/differential.hpp>
+
+namespace winnow {
+
+/// The offsets (first .. last - 1, dy).
+struct offset_group {
+    static constexpr int largest = 8;  ///< each takes a register for its weight
+    int first, last, dy;
+
+    int size() const { return last - first; }
+};
+
+namespace detail {
+
+/// A policy that says what it averages over a patch: distance::patch, weight::patch_mean.
+template <class Node>
+concept averages_over_patch = requires {
+    typename Node::prepares;
+};
+template <class Node>
+struct is_patch : std::bool_constant<averages_over_patch<Node>> {};
+
+/// Stands in the expression where a policy stood; its slopes, if it has any, lie in the places after its value.
+template <class Role, bool Slopes>
+struct looked_up {
+    using role = Role;
+    using reads = planes<>;
+
+    int index;
+
+    template <class Real, class Planes>
+    WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
+        if constexpr (Slopes) return pq.ahead_with_slopes(index);
+        else return pq.ahead(index);
+    }
+};
+template <class Node>
+inline constexpr bool is_looked_up = false;
+template <class Role, bool Slopes>
+inline constexpr bool is_looked_up<looked_up<Role, Slopes>> = true;
+
+template <class Node>
+struct found : std::bool_constant<is_looked_up<Node>> {};
+
+/// Places that a policy takes: its value, and its slopes where Varied, the buffer of the derivative, is among what it
+/// reads.
+template <class Node, class Varied>
+inline constexpr int places_of = 1 + (varies_with<Node, Varied> ? channels_of<Varied> : 0);
+
+template <class A, class B>
+bool same_policy(const A& a, const B& b) {
+    if constexpr (std::is_same_v<A, B> && std::equality_comparable<A>) return a == b;
+    else return false;
+}
+
+/// The policies of several expressions for which Keep holds, none inside another.
+template <template <class> class Keep, class... Node>
+constexpr auto collect_all(const std::tuple<Node...>& nodes) {
+    return std::apply([](const auto&... node) { return std::tuple_cat(collect<Keep>(node)...); }, nodes);
+}
+/// The expressions with these looked up instead, from place `first` on.
+template <template <class> class Keep, class Varied, class... Node>
+constexpr auto look_up_all(const std::tuple<Node...>& nodes, int first = 0) {
+    const auto replace = [&first]<class Found>(const Found&) {
+        const int place = first;
+        first += places_of<Found, Varied>;
+        return looked_up<typename Found::role, varies_with<Found, Varied>>{place};
+    };
+    return std::apply(
+        [&](const auto&... node) {
+            return std::tuple<decltype(rewrite<Keep>(node, replace))...>{rewrite<Keep>(node, replace)...};
+        },
+        nodes);
+}
+
+/// Calls f(node, index) for each node of a tuple, with an index that the compiler knows.
+template <class... Node, class F>
+WINNOW_HD constexpr void for_each_node(const std::tuple<Node...>& nodes, const F& f) {
+    [&]<int... I>(std::integer_sequence<int, I...>) WINNOW_HD_LAMBDA {
+        (f(std::get<I>(nodes), std::integral_constant<int, I>{}), ...);
+    }
+    (std::make_integer_sequence<int, sizeof...(Node)>{});
+}
+
+/// The index of the first node that is the same policy as node `index`.
+template <class... Node, class N>
+int leader(const std::tuple<Node...>& nodes, const N& node, int index) {
+    int first = index;
+    for_each_node(nodes, [&](const auto& other, int i) {
+        if (i < first && same_policy(other, node)) first = i;
+    });
+    return first;
+}
+
+/// Distances that more than one of these weights contain, and that do not change with the buffer of the derivative.
+template <class Varied, class... Weights>
+struct repeated {
+    template <class Node>
+    struct same_as {
+        template <class Other>
+        struct test : std::is_same<Node, Other> {};
+    };
+    template <class Node>
+    static constexpr std::size_t occurrences =
+        (std::tuple_size_v<decltype(collect<same_as<Node>::template test>(std::declval<Weights>()))> + ... + 0);
+
+    template <class Node>
+    struct test : std::bool_constant<false> {};
+    template <class Node>
+    requires(plays<Node, role::distance>&& Node::reads::count > 0 && !varies_with<Node, Varied> &&
+             std::tuple_size_v<decltype(collect<found>(std::declval<Node>()))> == 0) struct test<Node>
+        : std::bool_constant<(occurrences<Node> > 1)> {
+    };
+};
+
+}  // namespace detail
+
+/// What the weights of a sweep, with their patches looked up already, have in common: evaluated once a pair of pixels.
+template <class Varied, class Weights>
+class shared_distances;
+
+template <class Varied, class... Weights>
+class shared_distances<Varied, std::tuple<Weights...>> {
+    template <class Node>
+    using repeated = typename detail::repeated<Varied, Weights...>::template test<Node>;
+
+public:
+    /// The values take the places from `first` on.
+    shared_distances(const std::tuple<Weights...>& weights, int first)
+        : nodes_(detail::collect_all<repeated>(weights)),
+          weights_(detail::look_up_all<repeated, Varied>(weights, first)),
+          first_(first) {
+        // A place for each; those that are the same are read from the first of them.
+        detail::for_each_node(nodes_, [&](const auto& node, int i) { leaders_[i] = detail::leader(nodes_, node, i); });
+        const auto redirect = [&]<class Node>(const Node& node) {
+            if constexpr (std::is_same_v<Node, detail::looked_up<role::distance, false>>)
+                if (node.index >= first_) return Node{first_ + leaders_[node.index - first_]};
+            return node;
+        };
+        weights_ =
+            std::apply([&](const auto&... w) { return std::tuple(rewrite<detail::found>(w, redirect)...); }, weights_);
+    }
+
+    static constexpr int count =
+        std::tuple_size_v<decltype(detail::collect_all<repeated>(std::declval<std::tuple<Weights...>>()))>;
+
+    /// The weights with the shared distances looked up.
+    const auto& weights() const { return weights_; }
+
+    /// f(place, distance) for each that has to be evaluated.
+    template <class F>
+    WINNOW_HD void for_each(const F& f) const {
+        detail::for_each_node(nodes_, [&](const auto& node, int i) WINNOW_HD_LAMBDA {
+            if (leaders_[i] == i) f(first_ + i, node);
+        });
+    }
+
+private:
+    decltype(detail::collect_all<repeated>(std::declval<std::tuple<Weights...>>())) nodes_;
+    decltype(detail::look_up_all<repeated, Varied>(std::declval<std::tuple<Weights...>>())) weights_;
+    int first_;
+    int leaders_[count + 1] = {};
+};
+
+}  // namespace winnow

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+/// \file
+/// The candidates of RDFC: colour and features decide together.
+/// Rousselle, Manzi, Zwicker, "Robust Denoising using Feature and Color Information", 2013, sections 4 to 6.
+#include <winnow/distance/combine.hpp>
+#include <winnow/distance/cross_feature.hpp>
+#include <winnow/distance/noise_normalized.hpp>
+#include <winnow/distance/patch.hpp>
+#include <winnow/filter/filter.hpp>
+#include <winnow/weight/combine.hpp>
+#include <winnow/weight/exponential.hpp>
+
+namespace winnow::paper {
+
+/// Numbers of one candidate.  The defaults are the paper's SECOND; patch_radius 1 gives FIRST.
+struct rdfc_candidate_numbers {
+    int radius = 10;         ///< of the window, in pixels: the one parameter that the paper leaves to the user
+    int patch_radius = 3;    ///< in pixels
+    float k_color = 0.45f;   ///< sensitivity to colour differences: larger filters more
+    float k_feature = 0.6f;  ///< sensitivity to feature differences
+    float tau = 1e-3f;       ///< see distance::cross_feature
+    float epsilon = 1e-10f;  ///< see distance::noise_normalized
+};
+
+/// Non-local means weights of the colour (Eq. 2).
+constexpr auto rdfc_color_weight(float k, int patch_radius, float epsilon) {
+    return exponential(patch(noise_normalized(color, {k, epsilon}), {patch_radius}));
+}
+/// Bilateral weights of the least similar feature (Eq. 3).
+template <guide... Features>
+constexpr auto rdfc_feature_weight(planes<Features...>, float k, float tau) {
+    return exponential(max(cross(Features{}, {k, tau})...));
+}
+
+/// FIRST or SECOND: the smaller of both weights (Eq. 4).
+template <class Features>
+constexpr auto make_rdfc_candidate_of(rdfc_candidate_numbers n = {}) {
+    return filter{min(rdfc_color_weight(n.k_color, n.patch_radius, n.epsilon),
+                      rdfc_feature_weight(Features{}, n.k_feature, n.tau)),
+                  window::square{.radius = n.radius}};
+}
+constexpr auto make_rdfc_candidate(rdfc_candidate_numbers n = {}) {
+    return make_rdfc_candidate_of<planes<albedo_t, normal_t, depth_t>>(n);
+}
+using rdfc_candidate = decltype(make_rdfc_candidate());
+
+}  // namespace winnow::paper
