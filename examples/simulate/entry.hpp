@@ -43,6 +43,17 @@ struct result {
     void keep(const std::string& guide, std::string_view letters, const std::array<const image<float>*, 4>& images);
 };
 
+/// A render that goes on where each of its pixels has stopped.
+class growing_render {
+public:
+    virtual ~growing_render() = default;
+
+    /// So many samples more in each pixel.
+    virtual void add(const winnow::sample_counts& more, winnow::simulate::render_progress& progress) = 0;
+    /// All planes, of the samples so far; `seconds` are those that `add` has taken.
+    virtual result developed() const = 0;
+};
+
 /// One scene with all that its effects can give.
 class entry {
 public:
@@ -60,6 +71,8 @@ public:
     /// Of a small picture of the first frame: changes whenever that does.
     virtual std::uint64_t fingerprint() const = 0;
     virtual result render(const job& j, winnow::simulate::render_progress& progress) const = 0;
+    /// Without samples yet, of which none are kept; how many each pixel gets is told later.
+    virtual std::unique_ptr<growing_render> begin(const job& j) const = 0;
 };
 
 /// What a file says about how it was made.

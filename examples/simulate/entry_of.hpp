@@ -56,12 +56,17 @@ public:
     result render(const job& j, winnow::simulate::render_progress& progress) const override {
         const programs::stopwatch since;
         const kept all = rendered(j, progress);
-        result r;
-        r.seconds = since.seconds();
-        r.rejected = all.film.rejected();
-        if (progress.cancel) return r;
+        const double seconds = since.seconds();
+        if (progress.cancel) return {{}, all.film.rejected(), seconds};
         if (all.samples) winnow::io::write_deep_exr(j.deep, *all.samples, attributes_of(*this, j));
-        const auto images = all.film.develop();
+        return developed(all.film, seconds);
+    }
+    std::unique_ptr<growing_render> begin(const job& j) const override { return std::make_unique<growing>(j); }
+
+private:
+    static result developed(const complete& film, double seconds) {
+        result r{{}, film.rejected(), seconds};
+        const auto images = film.develop();
         gives::for_each([&]<class G>(G g) {
             using namespace winnow;
             r.keep(G::name(), io::channel_letters(g),
@@ -70,7 +75,6 @@ public:
         return r;
     }
 
-private:
     /// Two maps at a time; while one is made, its photons are there twice.
     static std::size_t photon_bytes(extent size) {
         if constexpr (!shows::template has<winnow::simulate::effect::caustics>) return 0;
@@ -99,6 +103,32 @@ private:
                                  winnow::executor::fresh_threads{j.threads}, progress);
         return all;
     }
+
+    class growing : public growing_render {
+    public:
+        explicit growing(const job& j)
+            : settings_(j.settings),
+              pool_{j.threads},
+              world_(Scene::make(), j.frame),
+              all_{complete(j.size), {}},
+              had_(j.size) {}
+
+        void add(const winnow::sample_counts& more, winnow::simulate::render_progress& progress) override {
+            const programs::stopwatch since;
+            winnow::simulate::render(world_, all_, {.first = had_, .count = more}, settings_, pool_, progress);
+            had_ += more;
+            seconds_ += since.seconds();
+        }
+        result developed() const override { return entry_of::developed(all_.film, seconds_); }
+
+    private:
+        winnow::simulate::render_settings settings_;
+        winnow::executor::fresh_threads pool_;
+        decltype(winnow::simulate::world(Scene::make(), 0)) world_;
+        kept all_;
+        winnow::sample_counts had_;
+        double seconds_ = 0;
+    };
 };
 
 }  // namespace simulator

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 /// \file
 /// Renders the built-in scenes from the command line; see --help.
-#include <unistd.h>
-
 #include <csignal>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <support/progress.hpp>
 #include <winnow/io/png.hpp>
-#include <winnow/metric/mse.hpp>
-#include <winnow/metric/relative_mse.hpp>
-#include <winnow/metric/two_references.hpp>
 
 #include "layers.hpp"
+#include "measure.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "references.hpp"
@@ -21,52 +17,15 @@ namespace simulator {
 
 using namespace winnow;
 
-void check_memory(const entry& scene, const job& j) {
-    const std::size_t needed = scene.bytes(j.size, j.deep.empty() ? 0 : j.settings.samples);
-    const auto there =
-        static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    if (needed > there)
-        fail(scene.name() + " at " + to_string(j.size) + " takes " + std::to_string(needed) +
-             " bytes of memory, this machine has " + std::to_string(there));
-}
-
 namespace {
 
 /// Shared with the signal handler.
 simulate::render_progress progress;
 
-struct metrics {
-    double mse, relmse;
-};
-
-/// Of the colour, against one reference or two.
-std::optional<metrics> measure(const options& o, const result& r, const std::vector<image<float>>& references) {
-    if (references.empty()) return {};
-    for (const plane& p : r.planes) {
-        if (p.guide != "color") continue;
-        const source x = p.values.view(), first = references.front().view(), second = references.back().view();
-        if (references.size() == 2)
-            return metrics{metric::mse(x, first, second), metric::relative_mse(x, first, second)};
-        return metrics{metric::mse(x, first), metric::relative_mse(x, first)};
-    }
-    fail(o.scene + " has no colour");
-}
-
-std::vector<image<float>> read_references(const options& o) {
-    std::vector<image<float>> all;
-    for (const std::string& name : o.references) {
-        all.push_back(io::read_exr(name).read({"R", "G", "B"}));
-        if (all.back().size() != o.what.size)
-            fail(name + " is " + to_string(all.back().size()) + ", the render is " + to_string(o.what.size));
-    }
-    return all;
-}
-
 void write(const options& o, const entry& scene, const result& r, const std::vector<std::string>& wanted) {
     if (o.output.empty()) return;
     if (std::string_view(o.output).ends_with(".png")) {
-        for (const plane& p : r.planes)
-            if (p.guide == "color") io::write_png(o.output, source(p.values.view()));
+        io::write_png(o.output, source(plane_of(r, "color").view()));
         return;
     }
     io::write_exr(o.output,
@@ -109,7 +68,7 @@ void run(const options& o) {
     check_memory(scene, o.what);
     for (const std::string& name : {o.output, o.what.deep})
         if (!name.empty()) io::atomic_file would_be_written(name);
-    const std::vector<image<float>> references = read_references(o);
+    const references truth = references::read(o.references, o.what.size);
 
     const double all = static_cast<double>(o.what.size.pixels()) * o.what.settings.samples;
     const result r = [&] {
@@ -119,7 +78,8 @@ void run(const options& o) {
     }();
     if (progress.cancel) return;
     if (r.rejected > 0) std::cerr << "simulate: " << r.rejected << " samples were no numbers and are left out\n";
-    const std::optional<metrics> m = measure(o, r, references);
+    std::optional<metrics> m;
+    if (!truth.empty()) m = truth.measure(plane_of(r, "color"));
     write(o, scene, r, wanted);
     report(o, scene, r, m);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "options.hpp"
 
-#include <charconv>
 #include <iostream>
 #include <support/command_line.hpp>
+#include <support/size.hpp>
 #include <thread>
 
 #include "layers.hpp"
@@ -20,17 +20,6 @@ constexpr const char* about =
     "    simulate --references refs\n";
 
 bool ends_with(const std::string& name, const char* suffix) { return std::string_view(name).ends_with(suffix); }
-
-extent parse_size(const std::string& said) {
-    extent size;
-    const char* end = said.data() + said.size();
-    const auto [x, wrong_width] = std::from_chars(said.data(), end, size.width);
-    if (wrong_width != std::errc() || x == end || *x != 'x') winnow::fail("--size " + said + ": expected WIDTHxHEIGHT");
-    const auto [rest, wrong_height] = std::from_chars(x + 1, end, size.height);
-    if (wrong_height != std::errc() || rest != end) winnow::fail("--size " + said + ": expected WIDTHxHEIGHT");
-    if (size.width < 1 || size.height < 1) winnow::fail("--size " + said + ": there are no pixels");
-    return size;
-}
 
 std::string joined(const std::vector<std::string>& names) {
     std::string all;
@@ -90,7 +79,7 @@ std::optional<options> parse(int argc, const char* const* argv) {
     }
     o.sized = !size.empty();
     o.sampled = app.count("--spp") > 0;
-    if (o.sized) o.what.size = parse_size(size);
+    if (o.sized) o.what.size = programs::parse_size(size);
     if (o.what.settings.samples < 1)
         winnow::fail("--spp " + std::to_string(o.what.settings.samples) + ": there must be at least one sample");
     if (pattern == "independent") o.what.settings.pattern = winnow::simulate::pattern::independent;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 /// \file
-/// A render as a file.
+/// What is done with a render.
 #include <winnow/io/exr.hpp>
 
 #include "entry.hpp"
@@ -19,6 +19,11 @@ winnow::io::exr_image as_exr(const entry& scene, const job& j, const result& r, 
     for (const auto& [name, text] : attributes_of(scene, j)) file.set_attribute(name, text);
     return file;
 }
+
+/// The plane of that name; null where the scene does not give it.
+const image<float>* find_plane(const result& r, const std::string& guide);
+/// The plane of that name, which must be there.
+const image<float>& plane_of(const result& r, const std::string& guide);
 
 /// Fails, before anything is allocated, if the machine has not the memory.
 void check_memory(const entry& scene, const job& j);
