@@ -41,6 +41,7 @@ filtered run(const guides& in, const settings& s, workspace& memory, const image
                  .epsilon = in.epsilon(s.epsilon),
                  .feature_radius = s.feature_radius,
                  .feature_share = s.feature_share};
+    if (s.error_radius >= 0) f.selection.error_radius = s.error_radius;
     filtered r{image<float>(in.size(), 3), image<float>(in.size(), 3), {}};
     output out{r.color};
     if (!counts) {

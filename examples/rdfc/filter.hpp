@@ -21,7 +21,8 @@ struct settings {
     int radius, feature_radius;
     float k_color, k_feature, tau, tau_third, epsilon, feature_share;
     selection choice = selection::binary;
-    int threads = 0;  ///< 0: all
+    int error_radius = -1;  ///< over which the selection smooths its errors, in pixels; below 0: its own
+    int threads = 0;        ///< 0: all
 
     settings();  ///< what the library has by default
 };
