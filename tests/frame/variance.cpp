@@ -150,3 +150,123 @@ TEST_CASE("the variance of stratified samples gets the magnitude of the halves a
     CHECK_THROWS_AS(scale_variance_to_halves(image<float>({3, 3}, 2).view(), a.view(), b.view(), none.view()),
                     invalid_input);
 }
+
+namespace {
+
+/// The average of the finite values around each pixel, as the words have it.
+image<float> averaged(const image<float>& from, int radius) {
+    image<float> to(from.size());
+    for (int y = 0; y < from.size().height; ++y)
+        for (int x = 0; x < from.size().width; ++x) {
+            double sum = 0;
+            int count = 0;
+            for (int j = std::max(0, y - radius); j <= std::min(from.size().height - 1, y + radius); ++j)
+                for (int i = std::max(0, x - radius); i <= std::min(from.size().width - 1, x + radius); ++i)
+                    if (is_finite(from.at(i, j))) sum += double{from.at(i, j)}, ++count;
+            to.at(x, y) = count ? static_cast<float>(sum / count) : nan_value;
+        }
+    return to;
+}
+
+void check_box_mean(const image<float>& from, int radius, std::vector<float>& memory) {
+    image<float> to(from.size());
+    detail::box_mean([&](int x, int y) { return from.at(x, y); }, to.view(), radius, memory);
+    const image<float> expected = averaged(from, radius);
+    CAPTURE(from.size().width, from.size().height, radius);
+    for (int y = 0; y < from.size().height; ++y)
+        for (int x = 0; x < from.size().width; ++x) {
+            CAPTURE(x, y);
+            if (std::isnan(expected.at(x, y))) CHECK(std::isnan(to.at(x, y)));
+            else {
+                // Sums of non-negative values: one rounding an addition at most.
+                const int side = 2 * radius + 1;
+                CHECK(std::abs(to.at(x, y) - expected.at(x, y)) <=
+                      static_cast<float>(side * side) * 0x1p-24f * expected.at(x, y));
+            }
+        }
+}
+
+image<float> random_image(extent size, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> value(0, 1);
+    image<float> made(size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) made.at(x, y) = value(random);
+    return made;
+}
+
+}  // namespace
+
+TEST_CASE("the box mean is that of the finite values in the square, for radii up to far beyond the image") {
+    std::vector<float> memory;
+    for (const extent size : {extent{1, 1}, extent{1, 13}, extent{13, 1}, extent{7, 5}, extent{40, 23}})
+        for (const int radius : {0, 1, 2, 5, 10, 30}) check_box_mean(random_image(size, 5), radius, memory);
+}
+
+TEST_CASE("the box mean leaves out what is no number, and is none where nothing else is near") {
+    std::vector<float> memory;
+    image<float> from = random_image({17, 12}, 6);
+    for (int y = 3; y < 9; ++y)
+        for (int x = 4; x < 10; ++x) from.at(x, y) = nan_value;
+    from.at(0, 0) = std::numeric_limits<float>::infinity();
+    from.at(16, 11) = -std::numeric_limits<float>::infinity();
+    for (const int radius : {0, 1, 3}) check_box_mean(from, radius, memory);
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 17; ++x) from.at(x, y) = nan_value;
+    check_box_mean(from, 2, memory);
+}
+
+TEST_CASE("an outlier of 1e30 leaves nothing behind where the square does not hold it") {
+    std::vector<float> memory;
+    image<float> from = random_image({29, 21}, 7);
+    from.at(9, 8) = from.at(20, 0) = from.at(0, 20) = 1e30f;
+    for (const int radius : {0, 1, 4}) check_box_mean(from, radius, memory);
+}
+
+TEST_CASE("the memory of an average may have held another: larger, smaller, spoilt") {
+    std::vector<float> memory;
+    image<float> spoilt({50, 3}), small({3, 3});
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 50; ++x) spoilt.at(x, y) = nan_value;
+    image<float> ignored(spoilt.size());
+    for (const int radius : {9, 0, 3, 1}) {
+        memory.assign(memory.size(), nan_value);
+        check_box_mean(random_image({31, 17}, 8), radius, memory);
+        detail::box_mean([&](int x, int y) { return spoilt.at(x, y); }, ignored.view(), 4, memory);
+        check_box_mean(random_image({5, 40}, 9), radius, memory);
+    }
+}
+
+TEST_CASE("what is larger than any variance is cut, so that its neighbours' average is a number") {
+    image<float> a({9, 5}), b({9, 5}), v({9, 5});
+    a.at(4, 2) = 3e38f, b.at(4, 2) = 0;
+    a.at(3, 2) = 3e38f, b.at(3, 2) = -3e38f;  // their difference is infinite: left out
+    variance_from_halves(a.view(), b.view(), v.view(), 1);
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 9; ++x) CHECK(is_finite(v.at(x, y)));
+    CHECK(v.at(5, 2) == Approx(1e30 / 9));
+    CHECK(v.at(3, 2) == Approx(1e30 / 8));
+    CHECK(v.at(6, 2) == 0);
+    image<float> raw({9, 5});
+    raw.at(4, 2) = 3e38f;
+    smooth_variance(raw.view(), v.view(), 2);
+    CHECK(v.at(4, 2) == Approx(1e30 / 25));
+}
+
+TEST_CASE("a second call with the same memory gives the same, and needs no more of it") {
+    const image<float> a = random_image({30, 20}, 10), b = random_image({30, 20}, 11),
+                       shown = random_image({30, 20}, 12);
+    image<float> first(a.size()), second(a.size());
+    variance_memory memory;
+    const auto run = [&](image<float>& to) {
+        scale_variance_to_halves(shown.view(), a.view(), b.view(), to.view(), 10, 0.25f, memory);
+    };
+    run(first);
+    const float* const rows = memory.rows.data();
+    const float* const halves = memory.halves.data();
+    const float* const average = memory.average.data();
+    run(second);
+    CHECK((memory.rows.data() == rows && memory.halves.data() == halves && memory.average.data() == average));
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 30; ++x) CHECK(first.at(x, y) == second.at(x, y));
+}
