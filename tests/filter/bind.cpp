@@ -5,6 +5,12 @@
 #include <winnow/filter/bind.hpp>
 #include "support/catch.hpp"
 #include "support/filters.hpp"
+#include "winnow/distance/spatial.hpp"
+#include "winnow/distance/squared_difference.hpp"
+#include "winnow/estimator/residual_variance.hpp"
+#include "winnow/estimator/sure.hpp"
+#include "winnow/filter/filter.hpp"
+#include "winnow/weight/gaussian.hpp"
 
 using namespace winnow;
 using namespace winnow::test;
@@ -219,4 +225,80 @@ TEST_CASE_METHOD(fixture, "after a refusal the workspace is as good as new") {
     CHECK_THROWS_AS(nlm().run(layers, std::span(&bad, 1), {executor_kind::simd}, memory), invalid_input);
     nlm().run(layers, std::span(&good, 1), {executor_kind::simd}, memory);
     CHECK(other_bits(result, nlm().images(layers, size, {executor_kind::simd})[0]) == "");
+}
+
+namespace {
+const filter by_color{gaussian(l2(color), 0.3f), window::square{.radius = 1}};
+const auto with_sure = by_color.with(estimator::sure{});
+const filter blur{gaussian(spatial, 1.0f), window::square{.radius = 1}};
+}  // namespace
+
+TEST_CASE_METHOD(fixture, "a derivative from an estimator that has none is refused, and the way out told") {
+    const auto refused = [&](const auto& f) {
+        return contains_all(complaint([&] { f(layers, output{result}.derivative(other.view())); }),
+                            {"a derivative is asked for", "filter.with(estimator::sure{})"});
+    };
+    CHECK(refused(by_color));
+    CHECK(refused(by_color.with(estimator::residual_variance{})));
+    CHECK(untouched());
+    CHECK(complaint([&] { with_sure(layers, output{result}.derivative(other.view())); }) == "");
+}
+
+TEST_CASE_METHOD(fixture, "a derivative or a sum of weights of another size or number of channels is refused by name") {
+    image<> small({11, 8}, 3), grey(size, 1), small_grey({11, 8}, 1);
+    const auto with = [&](const output& out) { return complaint([&] { with_sure(layers, out); }); };
+    CHECK(contains_all(with(output{result}.derivative(small.view())),
+                       {"the output of the derivative is 11x8", "color is 12x8"}));
+    CHECK(contains_all(with(output{result}.derivative(grey.view())),
+                       {"the output of the derivative has 1 channels, it needs 3"}));
+    CHECK(contains_all(with(output{result}.support(small_grey.view())),
+                       {"the output of the sum of weights is 11x8", "color is 12x8"}));
+    CHECK(contains_all(with(output{result}.support(other.view())),
+                       {"the output of the sum of weights has 3 channels, it needs 1"}));
+    CHECK(contains_all(with(output{result}.derivative(in.color.view())), {"derivative overlaps the input"}));
+    CHECK(contains_all(with(output{result}.support(in.color_variance.view().channel(1))),
+                       {"sum of weights overlaps the input"}));
+    CHECK(untouched());
+    CHECK(with(output{result}.derivative(other.view()).support(grey.view())) == "");
+    // The sum of weights needs no estimator.
+    CHECK(complaint([&] { by_color(layers, output{}.support(grey.view())); }) == "");
+    CHECK(grey.at(5, 5) > 1);
+}
+
+TEST_CASE_METHOD(fixture, "Stein's estimate needs the variance of what is filtered") {
+    named_layers without;
+    without.bind("color", in.color.view());
+    CHECK(contains_all(complaint([&] { with_sure(without, output{result}.error(other.view())); }),
+                       {"needs color.variance"}));
+    CHECK(untouched());
+}
+
+TEST_CASE_METHOD(fixture, "layers alone need no frame where the weights read nothing") {
+    image<> support(size), grey(size), of_other({11, 8}, 3);
+    const image<> smaller({11, 8}, 3);
+    CHECK(complaint([&] {
+              blur(frame{}, output{}
+                                .layer(in.color.view(), other.view())
+                                .layer(in.depth.view(), grey.view())
+                                .support(support.view()));
+          }) == "");
+    image<> expected(size, 3), expected_support(size);
+    blur(layers, output{expected}.support(expected_support.view()));
+    CHECK(other_bits(other, expected) == "");
+    CHECK(other_bits(support, expected_support) == "");
+
+    // Who asks for the colour needs one, and so does who asks for nothing.
+    const auto refused = [&](const output& out) { return complaint([&] { blur(frame{}, out); }); };
+    CHECK(contains_all(refused(result), {"needs color"}));
+    CHECK(contains_all(refused(output{result}.layer(in.color.view(), other.view())), {"needs color"}));
+    CHECK(contains_all(refused(output{}), {"needs color"}));
+    CHECK(contains_all(refused(output{}.support(support.view())), {"needs color"}));
+    // The layers are as large as the first.
+    CHECK(contains_all(refused(output{}.layer(in.depth.view(), grey.view()).layer(smaller.view(), of_other.view())),
+                       {"a further layer is 11x8", "12x8"}));
+    CHECK(contains_all(refused(output{}.layer(in.depth.view(), of_other.view())), {"further layer is 11x8", "12x8"}));
+    float somewhere = 0;
+    CHECK(contains_all(refused(output{}.layer(planar(&somewhere, {0, 3}, 1), planar(&somewhere, {0, 3}, 1))),
+                       {"0x3", "nothing to filter"}));
+    CHECK(untouched());
 }

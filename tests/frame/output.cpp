@@ -21,6 +21,18 @@ TEST_CASE("an output holds what was asked for, and nothing else") {
     CHECK(!output{}.mean());
 }
 
+TEST_CASE("an output that starts anew holds the new mean and nothing of the old") {
+    image<> mean({3, 2}, 3), other({3, 2}, 3), support({3, 2});
+    output out{mean};
+    out.halves(other.view(), other.view()).error(other.view()).derivative(other.view()).support(support.view());
+    out.layer(mean.view(), other.view());
+    CHECK(out.derivative() == target(other.view()));
+    CHECK(out.support() == target(support.view()));
+    CHECK(out.reset(other.view()).mean() == target(other.view()));
+    CHECK((!out.half_a() && !out.half_b() && !out.error() && !out.derivative() && !out.support()));
+    CHECK(out.layers().empty());
+}
+
 // A result cannot be written to memory that is only read.
 static_assert(std::is_convertible_v<image<>&, output> && !std::is_convertible_v<const image<>&, output>);
 static_assert(std::is_convertible_v<image_view<half>, output>);
