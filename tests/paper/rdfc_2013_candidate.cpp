@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <winnow/paper/rdfc_2013.hpp>
+#include <winnow/paper/rdfc_2013_candidate.hpp>
 #include "paper/laws.hpp"
 #include "paper/pure_noise.hpp"
 
