@@ -648,6 +648,22 @@ TEST_CASE("RDFC: what renderers deliver at their worst comes out finite") {
     }
 }
 
+TEST_CASE("RDFC: results may go where the input was") {
+    inputs in = make_inputs(size), in_place = in;
+    const results expected = all_of(f, in);
+    image<> error(size, 3);
+    workspace memory;
+    run(f, in_place.layers(),
+        output{in_place["color"]}
+            .halves(in_place["color.halfA"].view(), in_place["color.halfB"].view())
+            .error(error.view()),
+        {executor_kind::openmp}, memory);
+    CHECK(other_bits(in_place["color"], expected.mean) == "");
+    CHECK(other_bits(in_place["color.halfA"], expected.half_a) == "");
+    CHECK(other_bits(in_place["color.halfB"], expected.half_b) == "");
+    CHECK(other_bits(error, expected.error) == "");
+}
+
 TEST_CASE("RDFC: a single pixel is its own mean") {
     inputs in = make_inputs({1, 1});
     const results r = all_of(f, in);
@@ -702,8 +718,8 @@ TEST_CASE("RDFC: a buffer of another size or number of channels is named before 
         if (name == "color") continue;
         CAPTURE(name);
         named_layers layers = in.layers();
-        const winnow::image<> small({26, 19}, image.channels()), two(size, 2);
-        layers.bind(name, small.view());
+        const winnow::image<> narrow({26, 19}, image.channels()), two(size, 2);
+        layers.bind(name, narrow.view());
         const std::string said = complaint(layers, r.all(), r.selected.view());
         CHECK(says(said, name + " is 26x19"));
         CHECK(says(said, "color is 27x19"));
@@ -723,14 +739,14 @@ TEST_CASE("RDFC: a buffer of another size or number of channels is named before 
 TEST_CASE("RDFC: a result of another size or number of channels is named before any work") {
     const inputs in = make_inputs(size);
     results r(size);
-    image<> small({27, 18}, 3), two(size, 2), layer(size, 3), small_grey({27, 18}, 1);
+    image<> narrow({27, 18}, 3), two(size, 2), layer(size, 3), narrow_grey({27, 18}, 1);
     const auto refused = [&](const output& out, const std::string& name, const target& selected = {}) {
         return says(complaint(in.layers(), out, selected), name);
     };
-    CHECK(refused(small, "the output is 27x18"));
+    CHECK(refused(narrow, "the output is 27x18"));
     CHECK(refused(two, "the output has 2 channels"));
-    for (image<>* bad : {&small, &two}) {
-        const std::string is = bad == &small ? " is 27x18" : " has 2 channels, it needs 3";
+    for (image<>* bad : {&narrow, &two}) {
+        const std::string is = bad == &narrow ? " is 27x18" : " has 2 channels, it needs 3";
         CHECK(refused(output{r.mean}.halves(bad->view(), r.half_b.view()), "the output of the first half" + is));
         CHECK(refused(output{r.mean}.halves(r.half_a.view(), bad->view()), "the output of the second half" + is));
         CHECK(refused(output{r.mean}.error(bad->view()), "the output of the error" + is));
@@ -738,9 +754,9 @@ TEST_CASE("RDFC: a result of another size or number of channels is named before 
         CHECK(refused(output{r.mean}.layer(layer.view(), bad->view()), "the output of a further layer" + is));
         CHECK(refused(r.mean, "the output of the selection" + is, bad->view()));
     }
-    CHECK(refused(output{r.mean}.support(small_grey.view()), "the output of the sum of weights is 27x18"));
+    CHECK(refused(output{r.mean}.support(narrow_grey.view()), "the output of the sum of weights is 27x18"));
     CHECK(refused(output{r.mean}.support(two.view()), "the output of the sum of weights has 2 channels, it needs 1"));
-    CHECK(refused(output{r.mean}.layer(small.view(), layer.view()), "a further layer is 27x18"));
+    CHECK(refused(output{r.mean}.layer(narrow.view(), layer.view()), "a further layer is 27x18"));
     CHECK(r.other_bits_than(results(size)) == "");
 }
 

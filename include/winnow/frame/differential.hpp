@@ -9,11 +9,15 @@
 
 namespace winnow {
 
+/// With respect to nothing there is none: clang wants the name all the same, where a sweep has no derivative.
+template <class Real, class G>
+class differential;
+
 /// value, and slope(c) = d value / d G_c(p) for the channels c of G.  Along an edge of min, max or select the slope is
 /// that of the side taken.  Which slopes can differ from 0 is known when the compiler has seen the whole expression:
 /// the others cost nothing.
 template <class Real, guide G>
-class differential {
+class differential<Real, G> {
 public:
     static constexpr int channels = G::channels;
 
