@@ -117,8 +117,11 @@ public:
         for_pairs(x, y, [&](const float* here, const float* q, int dx, int dy) {
             const auto w = weight()(pixel_pair<differential<double, G>, reads>(here, q, tile_.step, dx, dy));
             p.support += w.value();
-            if (dx == 0 && dy == 0) p.own = w.value();
-            else weight()(pixel_pair<watched, reads>(here, q, tile_.step, dx, dy));
+            if (dx == 0 && dy == 0) {  // its weight for itself is the same whatever its value
+                p.own = w.value();
+                return;
+            }
+            weight()(pixel_pair<watched, reads>(here, q, tile_.step, dx, dy));
             for (int c = 0; c < channels; ++c) {
                 sums[c] += w.slope(c) * (value_at(c, x + dx, y + dy) - p.filtered[c]);
                 p.slopes[c] += std::abs(w.slope(c));

@@ -74,7 +74,11 @@ TEST_CASE("depth: over its largest finite value; the sky is at 0") {
     const value_map m = unit_range(depth, d.view())[0];
     CHECK(m(5) == 1);
     CHECK(m(1) == Approx(0.2).epsilon(1e-6));
-    for (const float sky : {infinity, 1e30f, nan_value, -1e10f}) CHECK(m(sky) == 0);
+    for (const float sky : {infinity, 1e30f, nan_value, -1e10f}) {
+        CHECK(m(sky) == 0);
+        for (const float variance : {0.5f, infinity, nan_value}) CHECK(m.variance(sky, variance) == 0);
+    }
+    CHECK(m.variance(3, 50) == 2);
 }
 
 TEST_CASE("positions: over the largest side of the box that holds them, from its corner") {

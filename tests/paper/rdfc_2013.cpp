@@ -508,11 +508,11 @@ TEST_CASE("RDFC: the unit of radiance does not matter, where epsilon is in that 
 
 TEST_CASE("RDFC: a crop with its halo gives the bits of the whole image") {
     rdfc narrow = f;
-    narrow.numbers.radius = 2, narrow.numbers.feature_radius = 1;
+    narrow.numbers.radius = 1, narrow.numbers.feature_radius = 6;
     const int reach = halo(narrow);
     const inputs in = make_inputs({2 * reach + 23, 7});
     const results whole = all_of(narrow, in);
-    for (const int x0 : {0, 9, 22, in.size().width - 1}) {
+    for (const int x0 : {0, 9, 22, reach + 11, in.size().width - 1}) {
         const int x1 = x0 + 1;
         const rectangle crop{std::max(0, x0 - reach), 0, std::min(in.size().width, x1 + reach), 7};
         results part(crop.size());

@@ -100,7 +100,8 @@ private:
                 if constexpr (detail::varies_with<Weight, varied>) {
                     const auto varying = of(std::type_identity<differential<Real, varied>>{});
                     w = varying.value();
-                    for (int c = 0; c < channels<Sweep>; ++c) {
+                    // A pixel's weight for itself is the same whatever its value.
+                    for (int c = 0; c < (dx == 0 && dy == 0 ? 0 : channels<Sweep>); ++c) {
                         slopes[c] += varying.slope(c);
                         slopes_of_sums[c] += varying.slope(c) * value(c, x + dx, y + dy);
                     }

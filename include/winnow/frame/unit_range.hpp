@@ -19,8 +19,9 @@ struct value_map {
     float offset = 0, factor = 1;
 
     float operator()(float x) const { return (inner(x) - offset) * factor; }
-    /// The variance of the mapped value, to first order, from that of x.
+    /// The variance of the mapped value, to first order, from that of x; 0 for what is not there.
     float variance(float x, float variance_of_x) const {
+        if (of == kind::with_sky && is_sky(x)) return 0;
         const float slope = of == kind::logarithmic ? 1.442695f / (1 + std::max(x, 0.0f)) * factor : factor;
         return variance_of_x * slope * slope;
     }
