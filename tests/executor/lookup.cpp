@@ -101,9 +101,11 @@ struct results {
     }
 };
 
-/// Together and one by one: the same bits on lanes; together on serial in double: the same but for rounding.
+/// Together and one by one: the same bits on lanes, or, where a distance that is shared is the term of a sum, which a
+/// compiler may fuse with its last product in one place and not in the other, the same but for rounding.  Together on
+/// serial in double: the same but for rounding.
 template <class Estimator, class Window, class... Weights>
-void check_together(extent size, Window window, border rule, const Weights&... weights) {
+void check_together(bool same_bits, extent size, Window window, border rule, const Weights&... weights) {
     constexpr bool sure = Estimator::needs_derivative;
     constexpr std::size_t count = sizeof...(Weights);
     const buffers in = make_buffers(size);
@@ -121,8 +123,9 @@ void check_together(extent size, Window window, border rule, const Weights&... w
         results alone(size);
         filter{weight, window, Estimator{}, rule}(layers, alone.all(sure), executor::simd{});
         CAPTURE(to_string(size), static_cast<int>(rule), i, sure);
-        CHECK(together[i].other_bits_than(alone) == "");
         const double r = rounding_bound({.radius = window.reach(), .patch_radius = 3}), s = largest_magnitude(in.color);
+        if (same_bits) CHECK(together[i].other_bits_than(alone) == "");
+        else CHECK(beyond(r * s, together[i].mean, alone.mean) == "");
         CHECK(beyond(r * s, together[i].mean, exact[i].mean) == "");
         CHECK(beyond_relative(r, together[i].support, exact[i].support) == "");
         // How far derivatives may be off is tested for each filter by itself; here it is a matter of mixing them up.
@@ -141,11 +144,12 @@ void check_mixtures(float tau_first, float tau_second, float tau_third) {
     for (const border rule : all_borders)
         for (const extent size : {extent{35, 11}, extent{3, 2}}) {
             // As RDFC has them: a patch beside shared features, and features alone.
-            check_together<Estimator>(size, window::square{.radius = 3}, rule, min(of_color(1), features(tau_first)),
-                                      min(of_color(3), features(tau_second)), features(tau_third));
+            check_together<Estimator>(true, size, window::square{.radius = 3}, rule,
+                                      min(of_color(1), features(tau_first)), min(of_color(3), features(tau_second)),
+                                      features(tau_third));
             // Shared distances inside sums and maxima with patches, which take places of their own before them.
             check_together<Estimator>(
-                size, window::disk{.radius = 3}, rule,
+                false, size, window::disk{.radius = 3}, rule,
                 exponential(patch(l2(albedo), {.radius = 1}) + cross(depth, {.tau = tau_first})) * of_color(1),
                 gaussian(max(cross(depth, {.tau = tau_second}), l2(normal)), 0.5f) * cutoff(l2(normal), 0.5f),
                 exponential(cross(depth, {.tau = tau_third})) * gaussian(l2(color), 0.5f));

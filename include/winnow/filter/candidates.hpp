@@ -9,8 +9,9 @@
 namespace winnow {
 
 /// candidates{first, second, third}(in, {out1, out2, out3}, executor) gives what the filters give one by one, in less
-/// time: bit for bit on lanes, and on serial up to a compiler's freedom to fuse a * b + c.  They must agree in window,
-/// border and estimator.
+/// time: bit for bit on lanes, and on serial up to a compiler's freedom to fuse a * b + c; that holds for lanes too
+/// where a distance that several filters have in common is the term of a sum.  They must agree in window, border and
+/// estimator.
 template <class Window, class Estimator, class... Weights>
 class candidates {
 public:
