@@ -4,44 +4,21 @@
 #include <charconv>
 #include <cmath>
 #include <support/nearest.hpp>
-#include <type_traits>
-#include <variant>
 #include <winnow/estimator/residual_variance.hpp>
-#include <winnow/executor/openmp.hpp>
-#include <winnow/executor/simd.hpp>
 #include <winnow/paper/joint_bilateral.hpp>
 #include <winnow/paper/nlm_2012.hpp>
-#include <winnow/paper/rdfc_2013.hpp>
+#include <winnow/paper/rdfc_2013_candidate.hpp>
+
+#include "entry.hpp"
 
 namespace denoise {
 
 namespace {
 
-using namespace winnow;
-
-/// f(executor), for the executor of that name.
-template <class F>
-void with_executor(const std::string& name, int threads, const F& f) {
-    if (name == "serial") f(executor::serial<>{});
-    else if (name == "simd") f(executor::simd{});
-#if defined(_OPENMP)
-    else f(executor::openmp{.threads = threads});
-#endif
-    static_cast<void>(threads);
-}
-
-void next_pass(const job& j, int pass, int passes) {
-    j.memory.progress.done = 0;
-    j.progress.passes = passes;
-    j.progress.pass = pass;
-}
-
 template <class W, class Window, class E>
 void run(const filter<W, Window, E>& f, const job& j) {
-    output out{j.filtered};
-    if (j.error) out.error(j.error->view());
+    output out = j.out;
     for (const further_layer& layer : j.layers) out.layer(layer.mean, layer.filtered);
-    next_pass(j, 0, 1);
     with_executor(j.executor, j.threads, [&](const auto& executor) {
         f.with(estimator::residual_variance{})(j.frame, out, executor, j.memory);
     });
@@ -51,12 +28,13 @@ void run(const filter<W, Window, E>& f, const job& j) {
 /// up to it.
 template <class F>
 void run(const dual_buffer<F>& dual, const job& j) {
+    const extent size = j.out.mean().size;
     struct half_results {
         image<float> color;
         std::vector<image<float>> layers;
     } a, b;
     const auto run_half = [&](const auto& frame, half_results& result, auto half) {
-        result.color = image<float>(j.filtered.size(), j.filtered.channels());
+        result.color = image<float>(size, j.out.mean().channels);
         output out{result.color};
         for (const further_layer& layer : j.layers)
             result.layers.emplace_back(layer.filtered.size, layer.filtered.channels);
@@ -65,68 +43,28 @@ void run(const dual_buffer<F>& dual, const job& j) {
         with_executor(j.executor, j.threads,
                       [&](const auto& executor) { dual.filter(frame, out, executor, j.memory); });
     };
-    next_pass(j, 0, 2);
+    j.memory.progress.enter(0, 0.5f);
     run_half(crossed_frame<named_layers, half_b, half_a>{j.frame}, a, &further_layer::half_a);
-    next_pass(j, 1, 2);
+    j.memory.progress.enter(0.5f, 1);
     run_half(crossed_frame<named_layers, half_a, half_b>{j.frame}, b, &further_layer::half_b);
 
     const auto combine = [](const source& x, const source& y, const target& to, const auto& f) {
-        for (int c = 0; c < to.channels; ++c)
+        for (int c = 0; to && c < to.channels; ++c)
             for (int v = 0; v < to.size.height; ++v)
                 for (int u = 0; u < to.size.width; ++u)
                     to.channel(c).set(u, v, f(x.channel(c).at(u, v), y.channel(c).at(u, v)));
     };
     const auto mean = [](float x, float y) { return (x + y) / 2; };
-    combine(a.color.view(), b.color.view(), j.filtered.view(), mean);
-    if (j.error)
-        combine(a.color.view(), b.color.view(), j.error->view(),
-                [](float x, float y) { return (x - y) * (x - y) / 4; });
+    const source first(a.color.view()), second(b.color.view());
+    combine(first, second, j.out.mean(), mean);
+    combine(first, second, j.out.half_a(), [](float x, float) { return x; });
+    combine(first, second, j.out.half_b(), [](float, float y) { return y; });
+    combine(first, second, j.out.error(), [](float x, float y) { return (x - y) * (x - y) / 4; });
     for (std::size_t i = 0; i < j.layers.size(); ++i)
         combine(a.layers[i].view(), b.layers[i].view(), j.layers[i].filtered, mean);
 }
 
-/// A member of a paper's numbers, as --set knows it.
-template <class Numbers>
-struct knob {
-    const char* name;
-    std::variant<int Numbers::*, float Numbers::*> member;
-    double lowest, highest;
-    const char* summary;
-};
-
-/// make(numbers, squared_mean) is the filter.
-template <class Numbers, class Make>
-filter_entry entry(const char* name, const char* summary, std::vector<std::string> needs, bool unit_features,
-                   const std::vector<knob<Numbers>>& knobs, const Make& make) {
-    filter_entry e{name, summary, std::move(needs), unit_features, {}, {}};
-    const Numbers initial;
-    for (const knob<Numbers>& k : knobs)
-        std::visit(
-            [&](auto member) {
-                using value = std::remove_cvref_t<decltype(initial.*member)>;
-                e.numbers.push_back(
-                    {k.name, k.summary, double(initial.*member), k.lowest, k.highest, std::is_same_v<value, int>});
-            },
-            k.member);
-    e.make = [knobs, make](const std::vector<double>& values, double squared_mean) {
-        Numbers numbers;
-        for (std::size_t i = 0; i < knobs.size(); ++i)
-            std::visit(
-                [&](auto member) {
-                    numbers.*member = static_cast<std::remove_reference_t<decltype(numbers.*member)>>(values[i]);
-                },
-                knobs[i].member);
-        const auto f = make(numbers, squared_mean);
-        int reach;
-        if constexpr (requires { f.filter; }) reach = halo(f.filter);
-        else reach = halo(f);
-        return ready_filter{reach, [f](const job& j) { run(f, j); }};
-    };
-    return e;
-}
-
-/// An epsilon in units of the squared mean of the colour, so that a darker scene is filtered alike.
-float relative(float epsilon, double squared_mean) { return static_cast<float>(epsilon * squared_mean + 1e-30); }
+constexpr auto run_it = [](const auto& f, const job& j) { run(f, j); };
 
 std::vector<filter_entry> all_filters() {
     using B = paper::bilateral_numbers;
@@ -138,44 +76,54 @@ std::vector<filter_entry> all_filters() {
         {"patch_radius", &N::patch_radius, 0, 20, "of the surroundings, in pixels"},
         {"k", &N::k, 1e-3, 1e3, "larger filters more"},
         {"epsilon", &N::epsilon, 0, 1, "variance below which a difference is real, over the squared mean"}};
-    return {
-        entry<B>("bilateral", "averages neighbours of like colour", {"color"}, false,
-                 {{"radius", &B::radius, 0, 100, "of the window, in pixels"},
-                  {"sigma_spatial", &B::sigma_spatial, 0, 1000, "in pixels"},
-                  {"sigma_color", &B::sigma_color, 0, 1e6, "in units of radiance"}},
-                 [](const B& n, double) { return paper::make_bilateral(n); }),
-        entry<J>("joint_bilateral", "averages neighbours of like albedo and normal", {"color", "albedo", "normal"},
-                 false,
-                 {{"radius", &J::radius, 0, 100, "of the window, in pixels"},
-                  {"sigma_spatial", &J::sigma_spatial, 0, 1000, "in pixels"},
-                  {"sigma_albedo", &J::sigma_albedo, 0, 1e6, "in units of the albedo"},
-                  {"sigma_normal", &J::sigma_normal, 0, 1e6, "in units of the normal"}},
-                 [](const J& n, double) { return paper::make_joint_bilateral(n); }),
-        entry<N>("nlm", "averages neighbours whose surroundings are alike but for noise", {"color", "variance"}, false,
-                 nlm_numbers,
-                 [](N n, double squared_mean) {
-                     n.epsilon = relative(n.epsilon, squared_mean);
-                     return paper::make_nlm(n);
-                 }),
-        entry<N>("nlm_dual", "as nlm, but each half of the samples with weights from the other", {"color", "halves"},
-                 false, nlm_numbers,
-                 [](N n, double squared_mean) {
-                     n.epsilon = relative(n.epsilon, squared_mean);
-                     return paper::make_nlm_2012_released(n);
-                 }),
-        entry<R>("rdfc_candidate", "as nlm, but never across an edge of albedo, normal or depth",
-                 {"color", "variance", "albedo", "normal", "depth"}, true,
-                 {{"radius", &R::radius, 0, 100, "of the window, in pixels"},
-                  {"patch_radius", &R::patch_radius, 0, 20, "of the surroundings, in pixels"},
-                  {"k_color", &R::k_color, 1e-3, 1e3, "larger filters more"},
-                  {"k_feature", &R::k_feature, 1e-3, 1e3, "larger filters more"},
-                  {"tau", &R::tau, 1e-9, 1, "squared contrast below which features are alike"},
-                  {"epsilon", &R::epsilon, 0, 1, "variance below which a difference is real, over the squared mean"}},
-                 [](R n, double squared_mean) {
-                     n.epsilon = relative(n.epsilon, squared_mean);
-                     return paper::make_rdfc_candidate(n);
-                 }),
+    std::vector<filter_entry> all{
+        entry<B>(
+            "bilateral", "averages neighbours of like colour", {"color"}, {},
+            {{"radius", &B::radius, 0, 100, "of the window, in pixels"},
+             {"sigma_spatial", &B::sigma_spatial, 0, 1000, "in pixels"},
+             {"sigma_color", &B::sigma_color, 0, 1e6, "in units of radiance"}},
+            [](const B& n, const scene_facts&) { return paper::make_bilateral(n); }, run_it),
+        entry<J>(
+            "joint_bilateral", "averages neighbours of like albedo and normal", {"color", "albedo", "normal"}, {},
+            {{"radius", &J::radius, 0, 100, "of the window, in pixels"},
+             {"sigma_spatial", &J::sigma_spatial, 0, 1000, "in pixels"},
+             {"sigma_albedo", &J::sigma_albedo, 0, 1e6, "in units of the albedo"},
+             {"sigma_normal", &J::sigma_normal, 0, 1e6, "in units of the normal"}},
+            [](const J& n, const scene_facts&) { return paper::make_joint_bilateral(n); }, run_it),
+        entry<N>(
+            "nlm", "averages neighbours whose surroundings are alike but for noise", {"color", "variance"}, {},
+            nlm_numbers,
+            [](N n, const scene_facts& about) {
+                n.epsilon = relative(n.epsilon, about.squared_mean);
+                return paper::make_nlm(n);
+            },
+            run_it),
+        entry<N>(
+            "nlm_dual", "as nlm, but each half of the samples with weights from the other", {"color", "halves"}, {},
+            nlm_numbers,
+            [](N n, const scene_facts& about) {
+                n.epsilon = relative(n.epsilon, about.squared_mean);
+                return paper::make_nlm_2012_released(n);
+            },
+            run_it),
+        entry<R>(
+            "rdfc_candidate", "as nlm, but never across an edge of albedo, normal or depth",
+            {"color", "variance", "albedo", "normal", "depth"}, {},
+            {{"radius", &R::radius, 0, 100, "of the window, in pixels"},
+             {"patch_radius", &R::patch_radius, 0, 20, "of the surroundings, in pixels"},
+             {"k_color", &R::k_color, 1e-3, 1e3, "larger filters more"},
+             {"k_feature", &R::k_feature, 1e-3, 1e3, "larger filters more"},
+             {"tau", &R::tau, 1e-9, 1, "squared contrast below which features are alike"},
+             {"epsilon", &R::epsilon, 0, 1, "variance below which a difference is real, over the squared mean"}},
+            [](R n, const scene_facts& about) {
+                n.epsilon = relative(n.epsilon, about.squared_mean);
+                return paper::make_rdfc_candidate(n);
+            },
+            run_it),
     };
+    all.back().unit_features = true;
+    all.push_back(rdfc_entry());
+    return all;
 }
 
 }  // namespace
@@ -188,6 +136,10 @@ std::string number::shown(double value) const {
 
 bool filter_entry::needs_buffer(const std::string& buffer) const {
     return std::find(needs.begin(), needs.end(), buffer) != needs.end();
+}
+
+bool filter_entry::reads_buffer(const std::string& buffer) const {
+    return needs_buffer(buffer) || std::find(uses.begin(), uses.end(), buffer) != uses.end();
 }
 
 std::vector<double> filter_entry::values(const std::vector<std::pair<std::string, std::string>>& set) const {

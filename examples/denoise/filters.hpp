@@ -2,8 +2,8 @@
 #pragma once
 /// \file
 /// The filters that the program offers, each with its numbers, and how one is run.
-#include <atomic>
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,25 +30,22 @@ struct further_layer {
     winnow::target filtered;
 };
 
-/// How far a run is, over all passes.
-struct run_progress {
-    std::atomic<int> pass = 0, passes = 1;
-    double share(const winnow::progress& current) const {
-        const int total = current.total;
-        return (pass + (total ? double(current.done) / total : 0)) / passes;
-    }
-};
-
 /// What a filter is run on, and by whom.
 struct job {
     const winnow::named_layers& frame;
-    winnow::image<float>& filtered;
-    winnow::image<float>* error;  ///< null where it is not asked for
+    winnow::output& out;  ///< the colour, and what else is asked for; the halves are those of the colour
     const std::vector<further_layer>& layers;
     std::string executor;
     int threads;
     winnow::workspace& memory;
-    run_progress& progress;
+    winnow::target selection;  ///< where the filter chooses between candidates, which; may be empty
+};
+
+/// What a filter is to know of the input before it is made.
+struct scene_facts {
+    double squared_mean;        ///< of the colour, which makes an epsilon relative
+    float half_share;           ///< see winnow::share_of_halves
+    std::set<std::string> has;  ///< the buffers that are there
 };
 
 /// A filter with its numbers set.
@@ -61,17 +58,23 @@ struct filter_entry {
     std::string name;
     std::string summary;
     std::vector<std::string> needs;  ///< buffers; "halves" and "variance" are those of the colour
-    bool unit_features;              ///< wants features in unit range, with their variances
+    std::vector<std::string> uses;   ///< buffers that help where they are there
+    bool unit_features;              ///< wants features in unit range
+    bool own_noise;                  ///< works out variances itself, from halves and what the input has
     std::vector<number> numbers;
-    /// values: one for each number.  squared_mean: of the colour, which makes an epsilon relative.
-    std::function<ready_filter(const std::vector<double>& values, double squared_mean)> make;
+    /// values: one for each number.
+    std::function<ready_filter(const std::vector<double>& values, const scene_facts& about)> make;
 
     bool needs_buffer(const std::string& name) const;
+    bool reads_buffer(const std::string& name) const;  ///< needs or uses
     /// The values of all numbers, some of them set; fails for an unknown key and a value out of range.
     std::vector<double> values(const std::vector<std::pair<std::string, std::string>>& set) const;
     /// "radius=10 k=0.45", as the header of a file records it.
     std::string shown(const std::vector<double>& values) const;
 };
+
+/// RDFC, compiled apart.
+filter_entry rdfc_entry();
 
 const std::vector<filter_entry>& filters();
 /// Fails with the nearest name where there is no such filter.

@@ -2,7 +2,9 @@
 #include "inputs.hpp"
 
 #include <cmath>
+#include <iostream>
 #include <set>
+#include <winnow/frame/unit_range.hpp>
 #include <winnow/frame/variance.hpp>
 
 namespace denoise {
@@ -78,6 +80,8 @@ public:
         const std::size_t renders = options_.inputs.size();
         s.half_a_renders = static_cast<int>((renders + 1) / 2);
         s.half_b_renders = static_cast<int>(std::max<std::size_t>(1, renders / 2));
+        s.color_as_read = mean_of(stacks_["color"].every(1));
+        if (options_.outliers) s.outliers = suppress_color_outliers();
         for (const guide_entry& g : known_guides())
             if (stacks_.contains(g.name)) s.guides[g.name] = finish_guide(g.name);
         for (const file_layer& layer : further_) {
@@ -96,7 +100,7 @@ private:
     void gather_guide(const std::string& file, const io::exr_image& image, const layer_finder& finder,
                       const guide_entry& g) {
         const bool needed = filter_.needs_buffer(g.name);
-        if (!needed && !options_.diagnose) return;
+        if (!filter_.reads_buffer(g.name) && !options_.diagnose) return;
         const auto mean = finder.guide(g), a = finder.companion(g, "halfA"), b = finder.companion(g, "halfB");
         const auto noise = finder.companion(g, "variance");
         if (!mean && !(a && b)) {
@@ -131,6 +135,42 @@ private:
         stacks_[name].renders.push_back(std::move(pixels));
     }
 
+    /// Of the renders, or of the halves of one; what they leave of the mean and of the variance follows.
+    std::optional<outliers_found> suppress_color_outliers() {
+        std::vector<image<float>>& renders = stacks_["color"].renders;
+        std::vector<image<float>*> apart;
+        for (image<float>& r : renders) apart.push_back(&r);
+        if (apart.size() == 1) {
+            if (!stacks_.contains("color.halfA") || !stacks_.contains("color.halfB")) return {};
+            apart = {&stacks_["color.halfA"].renders[0], &stacks_["color.halfB"].renders[0]};
+        }
+        std::vector<source> from;
+        std::vector<target> to;
+        for (image<float>* i : apart) from.emplace_back(i->view()), to.emplace_back(i->view());
+        const extent size = renders[0].size();
+        image<float> removed(size, 3), count(size);
+        const outliers_found found = suppress_outliers(from, to, {removed.view(), count.view()});
+        if (apart[0] == &renders[0]) return found;
+        const auto stated = stacks_.find("color.variance");
+        for (int c = 0; c < 3; ++c)
+            for (int y = 0; y < size.height; ++y)
+                for (int x = 0; x < size.width; ++x) {
+                    renders[0].at(x, y, c) -= removed.at(x, y, c);
+                    if (stated != stacks_.end() && count.at(x, y) > 0) stated->second.renders[0].at(x, y, c) = NAN;
+                }
+        if (stated != stacks_.end() && found.count > 0) {
+            image<float>& noise = stated->second.renders[0];
+            const image<float> with_holes = noise;
+            image<float> filled(size, 3);
+            smooth_variance(with_holes.view(), filled.view());
+            for (int c = 0; c < 3; ++c)
+                for (int y = 0; y < size.height; ++y)
+                    for (int x = 0; x < size.width; ++x)
+                        if (!is_finite(noise.at(x, y, c))) noise.at(x, y, c) = filled.at(x, y, c);
+        }
+        return found;
+    }
+
     buffer finish_guide(const std::string& name) {
         buffer b = combine(stacks_[name]);
         if (options_.inputs.size() > 1) return b;
@@ -154,66 +194,19 @@ private:
     std::vector<layer_diagnosis> read_;
 };
 
-/// v(value, derivative) maps each value of the buffer; the variance follows by the derivative there.
-template <class F>
-void map_values(buffer& b, const F& map) {
-    for (int c = 0; c < b.mean.channels(); ++c)
-        for (int y = 0; y < b.mean.size().height; ++y)
-            for (int x = 0; x < b.mean.size().width; ++x) {
-                float derivative = 1;
-                float& value = b.mean.at(x, y, c);
-                value = map(value, derivative);
-                b.variance.at(x, y, c) *= derivative * derivative;
-            }
-}
-
 /// Upwards to three bits: a bad pixel that holds the maximum changes a little of the scale, mostly nothing.
-double rounded_up(double value) {
-    if (!(value > 0)) return 1;
-    int exponent;
-    const double mantissa = std::frexp(value, &exponent);
-    return std::ldexp(std::ceil(mantissa * 8) / 8, exponent);
-}
-
-/// Where renderers put the depth of what is not there.
-bool is_sky(float depth) { return !is_finite(depth) || depth >= 1e9f; }
-
-double largest(const image<float>& plane) {
-    double most = 0;
-    for (int c = 0; c < plane.channels(); ++c)
-        for (int y = 0; y < plane.size().height; ++y)
-            for (int x = 0; x < plane.size().width; ++x)
-                if (const float v = plane.at(x, y, c); is_finite(v)) most = std::max(most, double{v});
-    return most;
-}
-
-void scale(buffer& b, double divisor) {
-    const float by = static_cast<float>(1 / divisor);
-    map_values(b, [&](float v, float& derivative) {
-        derivative = by;
-        return v * by;
-    });
-}
+double rounded_up(double value) { return winnow::detail::rounded_up(static_cast<float>(value)); }
 
 /// Unit range, as the distances between features expect it.
 void normalise(const std::string& name, buffer& b) {
-    if (name == "normal") {
-        map_values(b, [](float n, float& derivative) {
-            derivative = 0.5f;
-            return (n + 1) / 2;
-        });
-    } else if (name == "albedo") {
-        // Real files hold emission and sky in the albedo, up to hundreds.
-        map_values(b, [](float a, float& derivative) {
-            const float above = std::max(a, 0.0f);
-            derivative = 1.442695f / (1 + above);
-            return is_finite(a) ? std::log2(1 + above) : a;
-        });
-        scale(b, rounded_up(largest(b.mean)));
-    } else if (name == "depth") {
-        map_values(b, [](float z, float&) { return is_sky(z) ? 0.0f : z; });
-        scale(b, rounded_up(largest(b.mean)));
-    }
+    const auto map = [&](auto guide) {
+        if (name != guide.name()) return;
+        const auto maps = unit_range(guide, b.mean.view());
+        if (b.variance.channels()) map_variances(maps, b.mean.view(), b.variance.view(), b.variance.view());
+        for (image<float>* i : {&b.mean, &b.half_a, &b.half_b})
+            if (i->channels()) map_values(maps, i->view(), i->view());
+    };
+    map(albedo), map(normal), map(depth), map(position), map(caustic);
 }
 
 }  // namespace
@@ -246,7 +239,14 @@ scene read_scene(const options& o, const filter_entry& filter) {
     scene s = gathered.finish(std::move(first));
     if (filter.needs_buffer("halves") && !s.color().has_halves())
         fail(o.inputs[0] + ": " + filter.name +
-             " needs two halves of the samples: give two renders with other seeds, or the layers halfA and halfB");
+             " needs two halves of the samples: give two renders with other seeds, or the layers halfA and halfB" +
+             (s.color().variance.channels() ? "; with --filter nlm the variance is enough" : ""));
+    for (const char* feature : {"albedo", "normal", "depth"}) {
+        const bool other = feature == std::string("depth") && s.guides.contains("position");
+        if (filter.reads_buffer(feature) && !s.guides.contains(feature) && !other)
+            std::cerr << "denoise: " << o.inputs[0] << ": there is no " << feature << "; " << filter.name
+                      << " does without\n";
+    }
     if (filter.needs_buffer("variance") && !s.color().has_halves() && !s.color().variance.channels())
         fail(o.inputs[0] + ": " + filter.name +
              " needs the variance of the colour: give two renders with other seeds, or the layer variance");
@@ -275,9 +275,13 @@ double squared_mean(const image<float>& mean) {
 }
 
 void prepare(scene& s, const filter_entry& filter) {
-    const float share = share_of_halves(s.half_a_renders, s.half_b_renders);
+    const float share = s.half_share();
     for (auto& [name, b] : s.guides) {
         const bool normalised = filter.unit_features && name != "color";
+        if (filter.own_noise) {
+            if (normalised) normalise(name, b);
+            continue;
+        }
         // Of one file, the variance is that of a renderer's samples, which may be stratified.
         if (name == "color" && s.half_a_renders + s.half_b_renders <= 2 && b.variance.channels() && b.has_halves())
             scale_variance_to_halves(b.variance.view(), b.half_a.view(), b.half_b.view(), b.variance.view(), 10, share);

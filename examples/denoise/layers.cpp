@@ -44,6 +44,7 @@ const std::vector<guide_entry>& known_guides() {
         {"depth", 1, {"depth", "Depth", "Z", "Denoising Depth"}},
         {"position", 3, {"position", "Position", "P"}},
         {"visibility", 1, {"visibility", "shadow"}},
+        {"caustic", 1, {"caustic", "caustics"}},
         {"roughness", 1, {"roughness", "Roughness"}},
     };
     return all;
@@ -85,7 +86,8 @@ std::optional<file_layer> layer_finder::find(const std::string& layer, int chann
     std::vector<file_layer> found;
     if (channels == 1)
         for (const std::string& channel : channels_)
-            if (is_called(channel, layer, exact)) found.push_back({channel, {channel}});
+            if (is_called(channel, layer, exact) && !with_channels(layer_of(channel), 3))  // not a part of a vector
+                found.push_back({channel, {channel}});
     for (const std::string& candidate : layers_)
         if (is_called(candidate, layer, exact))
             if (auto whole = with_channels(candidate, channels)) found.push_back(*whole);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <support/progress.hpp>
+#include <winnow/filter/do_no_harm.hpp>
 #include <winnow/io/exr.hpp>
 #include <winnow/io/png.hpp>
 
@@ -20,10 +21,15 @@ using namespace winnow;
 using programs::stopwatch;
 
 struct results {
-    rectangle window;              ///< what was asked for, relative to the data window
-    image<float> filtered, error;  ///< the error squared
+    rectangle window;  ///< what was asked for, relative to the data window
+    image<float> filtered, half_a, half_b;
+    image<float> error;  ///< squared
+    image<float> selection;
     std::vector<image<float>> layers;
 };
+
+/// How far around a pixel the estimate of harm looks.
+constexpr int harm_reach = do_no_harm_numbers{}.wide;
 
 /// The pixels that were asked for, relative to the data window.
 rectangle window_of(const options& o, const io::exr_image& image) {
@@ -54,7 +60,8 @@ image<float> scaled(const image<float>& from, float by) {
 
 /// Filters the window with as much around it as its pixels depend on.
 results run(const options& o, const ready_filter& filter, const scene& s, rectangle window, bool with_error) {
-    const rectangle grown = window.grown(filter.halo);
+    const bool halves = o.do_no_harm && s.color().has_halves();
+    const rectangle grown = window.grown(filter.halo + (halves ? harm_reach : 0));
     const rectangle region{std::max(0, grown.x0), std::max(0, grown.y0), std::min(s.size().width, grown.x1),
                            std::min(s.size().height, grown.y1)};
     const auto part = [&](const image<float>& whole) {
@@ -68,9 +75,9 @@ results run(const options& o, const ready_filter& filter, const scene& s, rectan
         };
         bind(name, b.mean);
         bind(name + ".variance", b.variance);
-        if (name != "color" || !b.has_halves()) continue;
-        bind("color.halfA", b.half_a);
-        bind("color.halfB", b.half_b);
+        bind(name + ".halfA", b.half_a);
+        bind(name + ".halfB", b.half_b);
+        if (name != "color" || !b.has_halves() || !b.variance.channels()) continue;
         // The variance of a half is that of the mean, times how many more samples the mean has.
         const auto renders = static_cast<float>(s.half_a_renders + s.half_b_renders);
         bind("color.halfA.variance", noise_a = scaled(b.variance, renders / static_cast<float>(s.half_a_renders)));
@@ -88,12 +95,25 @@ results run(const options& o, const ready_filter& filter, const scene& s, rectan
         layers.push_back({s.layers[i].first.name, part(b.mean), part(b.half_a), part(b.half_b), r.layers[i].view()});
     }
 
+    output out{r.filtered};
+    if (with_error) out.error(r.error.view());
+    if (halves) {
+        r.half_a = r.half_b = image<float>(region.size(), 3);
+        out.halves(r.half_a.view(), r.half_b.view());
+    }
+    if (!o.selection.empty()) r.selection = image<float>(region.size(), 3);
     workspace memory;
-    run_progress progress;
     {
-        const programs::progress_line line(o.progress, "denoise", [&] { return progress.share(memory.progress); });
-        filter.run(
-            {frame, r.filtered, with_error ? &r.error : nullptr, layers, o.executor, o.threads, memory, progress});
+        const programs::progress_line line(o.progress, "denoise", [&] { return memory.progress.share(); });
+        filter.run({frame, out, layers, o.executor, o.threads, memory,
+                    r.selection.channels() ? target(r.selection.view()) : target{}});
+    }
+    if (halves) {
+        image<float> lambda(region.size());
+        do_no_harm({part(s.color().mean), part(s.color().half_a), part(s.color().half_b)},
+                   {r.filtered.view(), r.half_a.view(), r.half_b.view()}, lambda.view());
+        blend(part(s.color().mean), r.filtered.view(), lambda.view(), r.filtered.view());
+        for (const further_layer& layer : layers) blend(layer.mean, layer.filtered, lambda.view(), layer.filtered);
     }
     const rectangle inner{window.x0 - region.x0, window.y0 - region.y0, window.x1 - region.x0, window.y1 - region.y0};
     const auto keep_window = [&](image<float>& i) {
@@ -101,6 +121,7 @@ results run(const options& o, const ready_filter& filter, const scene& s, rectan
     };
     keep_window(r.filtered);
     keep_window(r.error);
+    keep_window(r.selection);
     for (image<float>& layer : r.layers) keep_window(layer);
     return r;
 }
@@ -137,6 +158,13 @@ image<float> root(const image<float>& squared) {
     return r;
 }
 
+void write_selection(const options& o, const scene& s, const results& r) {
+    if (is_png(o.selection)) return io::write_png(o.selection, source(r.selection.view()));
+    io::exr_image file(in_file(r.window, s.carried));
+    set_channels(file, {"R", "G", "B"}, r.selection);
+    io::write_exr(o.selection, file);
+}
+
 void write_error(const options& o, const scene& s, const results& r) {
     image<float> error = root(r.error);
     if (!is_png(o.error)) {
@@ -166,8 +194,9 @@ void denoise_files(options o) {
     const std::vector<double> values = entry.values(o.set);
     if (o.executor.empty()) o.executor = default_executor();
     const int threads = check_executor(o.executor, o.threads);
-    for (const std::string& name : {o.output, o.error})
+    for (const std::string& name : {o.output, o.error, o.selection})
         if (!name.empty()) io::atomic_file would_be_written(name);
+    if (!o.selection.empty() && o.filter != "rdfc") fail("--selection: " + o.filter + " has no candidates to select");
 
     report said;
     said.filter = o.filter;
@@ -177,6 +206,7 @@ void denoise_files(options o) {
     scene s = read_scene(o, entry);
     said.read_seconds = reading.seconds();
     said.read = &s.read;
+    said.outliers = s.outliers;
     const rectangle window = window_of(o, s.carried);
     said.size = window.size();
     if (!o.error.empty() && !s.color().has_halves())
@@ -191,20 +221,23 @@ void denoise_files(options o) {
 
     const stopwatch filtering;
     prepare(s, entry);
-    const ready_filter filter = entry.make(values, squared_mean(s.color().mean));
+    scene_facts about{squared_mean(s.color().mean), s.half_share(), {}};
+    for (const auto& guide : s.guides) about.has.insert(guide.first);
+    const ready_filter filter = entry.make(values, about);
     const bool with_error = s.color().has_halves() && (o.json || !o.error.empty());
     const results r = run(o, filter, s, window, with_error);
     said.filter_seconds = filtering.seconds();
 
     const stopwatch writing;
     if (!o.error.empty()) write_error(o, s, r);
+    if (!o.selection.empty()) write_selection(o, s, r);
     write_output(o, s, r, entry.shown(values));
     said.write_seconds = writing.seconds();
 
     if (with_error) said.estimated_mse = mean(r.error);
     if (!o.reference.empty()) {
         const source truth(image_view<const float>(reference.view().crop(window)));
-        said.input = compare(source(image_view<const float>(s.color().mean.view()).crop(window)), truth);
+        said.input = compare(source(image_view<const float>(s.color_as_read.view()).crop(window)), truth);
         said.output = compare(source(r.filtered.view()), truth);
     }
     if (o.json) print_json(said);

@@ -42,6 +42,7 @@ void list_filters() {
         std::cout << f.name << std::string(f.name.size() < 18 ? 18 - f.name.size() : 1, ' ') << f.summary
                   << "\n    needs ";
         for (std::size_t i = 0; i < f.needs.size(); ++i) std::cout << (i ? ", " : "") << f.needs[i];
+        for (std::size_t i = 0; i < f.uses.size(); ++i) std::cout << (i ? ", " : "; uses ") << f.uses[i];
         std::cout << '\n';
         for (const number& n : f.numbers)
             std::cout << "    --set " << n.name << "=" << n.shown(n.initial) << "  " << n.summary << " ("
@@ -56,6 +57,7 @@ std::optional<options> parse(int argc, const char* const* argv) {
     std::vector<std::string> set, map;
     std::string crop;
     bool list = false;
+    const std::map<std::string, bool> switches{{"on", true}, {"off", false}};
     CLI::App app(about, "denoise");
     app.add_option("INPUT.exr", o.inputs, "Renders");
     app.add_option("-o,--output", o.output, "The result: .exr, or .png, tone-mapped");
@@ -63,8 +65,15 @@ std::optional<options> parse(int argc, const char* const* argv) {
     app.add_flag("--list", list, "Names all filters, the layers that each needs and its numbers");
     app.add_option("--set", set, "key=value: a number of the filter")->allow_extra_args(false);
     app.add_option("--map", map, "NAME=LAYER: the layer of the file that holds NAME")->allow_extra_args(false);
+    app.add_option("--outliers", o.outliers, "on or off (on): takes fireflies out first; needs halves")
+        ->transform(CLI::CheckedTransformer(switches));
+    app.add_option("--do-no-harm", o.do_no_harm,
+                   "on or off (on): blends toward the input where the halves show that the filter made it worse")
+        ->transform(CLI::CheckedTransformer(switches));
     app.add_option("--reference", o.reference, "A converged render: adds metrics of input and output");
     app.add_option("--error", o.error, "Writes the estimated error: .exr, or .png, relative to the brightness");
+    app.add_option("--selection", o.selection,
+                   "Writes which candidate counts where, as red, green and blue: .exr or .png (rdfc)");
     app.add_option("--layers", o.layers, "a,b or all: also filters these layers, with the weights of the colour")
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -81,7 +90,7 @@ std::optional<options> parse(int argc, const char* const* argv) {
     }
     if (o.inputs.empty()) winnow::fail("no input; try denoise --help");
     if (o.output.empty() && !o.diagnose) winnow::fail("no output: say -o OUTPUT.exr");
-    for (const std::string& name : {o.output, o.error})
+    for (const std::string& name : {o.output, o.error, o.selection})
         if (!name.empty() && !ends_with(name, ".exr") && !ends_with(name, ".png"))
             winnow::fail(name + ": a result is written as .exr or .png");
     for (const std::string& s : set) o.set.push_back(split("--set", s, "key=value"));

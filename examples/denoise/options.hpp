@@ -13,11 +13,13 @@ namespace denoise {
 struct options {
     std::vector<std::string> inputs;
     std::string output;  ///< empty: only with diagnose
-    std::string filter = "nlm";
+    std::string filter = "rdfc";
     std::vector<std::pair<std::string, std::string>> set;  ///< key, value
     std::vector<std::pair<std::string, std::string>> map;  ///< guide, layer
     std::vector<std::string> layers;                       ///< "all" alone means all
-    std::string reference, error;
+    bool outliers = true;    ///< taken out of the colour first, where there are halves or several renders
+    bool do_no_harm = true;  ///< blends toward the input where the halves show harm
+    std::string reference, error, selection;
     std::optional<winnow::rectangle> crop;
     std::string executor;
     int threads = 0;  ///< 0: as many as there are

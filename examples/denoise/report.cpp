@@ -51,6 +51,9 @@ void print_json(const report& r) {
               {"threads", r.threads},
               {"seconds", {{"read", r.read_seconds}, {"filter", r.filter_seconds}, {"write", r.write_seconds}}},
               {"bad_pixels", {{"nan", bad.nan}, {"inf", bad.inf}, {"negative_variance", bad.negative}}}};
+    if (r.outliers)
+        j["outliers"] = {
+            {"count", r.outliers->count}, {"removed", r.outliers->removed}, {"spread", r.outliers->spread}};
     if (r.estimated_mse) j["estimated"] = {{"mse", *r.estimated_mse}};
     const auto shown = [](const metrics& m) {
         return json{{"mse", m.mse}, {"relmse", m.relmse}, {"psnr", m.psnr}, {"ssim", m.ssim}};
@@ -63,7 +66,12 @@ void print_text(const report& r) {
     std::printf("%s  %dx%d  %s, %d thread%s  %.3f s (read %.3f, write %.3f)\n", r.filter.c_str(), r.size.width,
                 r.size.height, r.executor.c_str(), r.threads, r.threads == 1 ? "" : "s", r.filter_seconds,
                 r.read_seconds, r.write_seconds);
-    if (r.estimated_mse) std::printf("noise left, estimated: mse %.4g\n", *r.estimated_mse);
+    if (r.outliers && r.outliers->count > 0) {
+        const std::vector<double>& gone = r.outliers->removed;
+        std::printf("outliers: %lld taken out, with a mean radiance of %.3g %.3g %.3g\n",
+                    static_cast<long long>(r.outliers->count), gone[0], gone[1], gone[2]);
+    }
+    if (r.estimated_mse) std::printf("estimated: mse %.4g\n", *r.estimated_mse);
     if (r.input && r.output)
         for (const auto& [name, m] : {std::pair{"input ", *r.input}, std::pair{"output", *r.output}})
             std::printf("%s  mse %.4g  relative mse %.4g  psnr %.2f dB  ssim %.4f\n", name, m.mse, m.relmse, m.psnr,

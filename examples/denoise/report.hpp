@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 #include <winnow/frame/diagnose.hpp>
+#include <winnow/frame/outliers.hpp>
 
 namespace denoise {
 
@@ -20,6 +21,7 @@ struct report {
     int threads = 1;
     double read_seconds = 0, filter_seconds = 0, write_seconds = 0;
     const std::vector<winnow::layer_diagnosis>* read = nullptr;
+    std::optional<winnow::outliers_found> outliers;
     std::optional<double> estimated_mse;
     std::optional<metrics> input, output;
 };

@@ -110,9 +110,12 @@ struct renders {
     io::exr_image result() const { return io::read_exr(in / "out.exr"); }
 };
 
-const std::vector<std::string> all_filters{
-    "bilateral --set radius=4", "joint_bilateral --set radius=4", "nlm --set radius=4 --set patch_radius=2",
-    "nlm_dual --set radius=4 --set patch_radius=2", "rdfc_candidate --set radius=4 --set patch_radius=1"};
+const std::vector<std::string> all_filters{"bilateral --set radius=4",
+                                           "joint_bilateral --set radius=4",
+                                           "nlm --set radius=4 --set patch_radius=2",
+                                           "nlm_dual --set radius=4 --set patch_radius=2",
+                                           "rdfc_candidate --set radius=4 --set patch_radius=1",
+                                           "rdfc --set radius=4 --set feature_radius=2"};
 
 /// How many pixels differ, of those for which where(x, y).
 int differing(const source& a, const source& b, const std::function<bool(int, int)>& where) {
@@ -136,7 +139,7 @@ bool same_channels(const io::exr_image& a, const io::exr_image& b, const std::ve
 TEST_CASE("the list names every filter at the beginning of a line, with its layers and numbers") {
     const outcome o = denoise("--list");
     CHECK(o.code == 0);
-    for (const char* name : {"bilateral ", "joint_bilateral ", "nlm ", "nlm_dual ", "rdfc_candidate "})
+    for (const char* name : {"bilateral ", "joint_bilateral ", "nlm ", "nlm_dual ", "rdfc_candidate ", "rdfc "})
         CHECK(("\n" + o.out).find(std::string("\n") + name) != std::string::npos);
     CHECK(o.out.find("needs color, albedo, normal") != std::string::npos);
     CHECK(o.out.find("--set radius=10") != std::string::npos);
@@ -362,10 +365,10 @@ TEST_CASE("bad usage is refused in one line, with the nearest name") {
           r.in.name("out.jpg") + ": a result is written as .exr or .png");
     CHECK(r.refusal(call + "--filter nml") == "there is no filter nml; did you mean nlm?");
     CHECK(r.refusal(call + "--prefilter sure") == "unknown option --prefilter; did you mean --filter?");
-    CHECK(r.refusal(call + "--set radus=3") == "nlm has no number radus; did you mean radius?");
+    CHECK(r.refusal(call + "--filter nlm --set radus=3") == "nlm has no number radus; did you mean radius?");
     CHECK(r.refusal(call + "--set radius=101") == "--set radius=101: radius is a whole number from 0 to 100");
     for (const char* bad : {"radius=2.5", "radius=-1", "radius=x", "radius=nan", "k=0", "k=inf", "k=1e300", "k=1x"})
-        CHECK(r.refusal(call + "--set " + bad).starts_with(std::string("--set ") + bad + ": "));
+        CHECK(r.refusal(call + "--filter nlm --set " + bad).starts_with(std::string("--set ") + bad + ": "));
     CHECK(r.refusal(call + "--set radius") == "--set radius: expected key=value");
     CHECK(r.refusal(call + "--executor smid") == "there is no executor smid; did you mean simd?");
     CHECK(r.refusal(call + "--executor simd --threads 2") == "--threads 2: simd runs on one thread");

@@ -39,6 +39,8 @@ struct offset_major {
         const auto memory = memory_of(sweep, buffers, scratch);
         const staged_tile staged{tile.grown(memory.margin), memory.planes, memory.step};
         stage(sweep, buffers, staged);
+        float* const behind = memory.planes + memory.step.row * staged.region.size().height;
+        std::fill(behind, behind + lanes::size + group, 0.0f);
         std::fill(memory.sums, memory.sums + memory.sums_count, 0.0f);
 
         const auto ahead = patches_of(sweep, buffers, memory.tile);
@@ -93,7 +95,8 @@ private:
             offset += detail::aligned(sizeof(float) * count);
             return part;
         };
-        m.planes = take(m.step.row * (m.tile.height + 2 * m.margin) + lanes::size);
+        // Behind the last row there is room for a last batch and a last group.
+        m.planes = take(m.step.row * (m.tile.height + 2 * m.margin) + lanes::size + group);
         m.sums_count = std::ptrdiff_t{Sweep::count * sums_of_weight<Sweep>(values)} * m.tile.width * m.tile.height;
         m.sums = take(m.sums_count);
         m.patches = take(ahead.floats());
@@ -163,17 +166,20 @@ private:
                         w[k][i] = weight(pair(std::type_identity<lanes>{}, i));
                         for (int c = 0; c < channels; ++c) dw[c][k][i] = lanes(0.0f);
                     }
+                // A group that is not full goes on with weights of 0.
+                for (int i = offsets.size(); i < group; ++i) {
+                    w[k][i] = lanes(0.0f);
+                    for (int c = 0; c < channels; ++c) dw[c][k][i] = lanes(0.0f);
+                }
             });
 
             const float* const value = q + (1 + reads::count) * plane;
-            with_count(offsets.size(), [&](auto count) WINNOW_HD_LAMBDA {
-                add<count>(w, q, sums, 0);  // the coverage: only neighbours that exist count
-                for (int v = 0; v < values; ++v) add<count>(w, value + v * plane, sums, (1 + v) * next);
-                for (int c = 0; c < channels; ++c) {
-                    add<count>(dw[c], q, sums, (1 + values + 2 * c) * next);
-                    add<count>(dw[c], value + c * plane, sums, (2 + values + 2 * c) * next);
-                }
-            });
+            add(w, q, sums, 0);  // the coverage: only neighbours that exist count
+            for (int v = 0; v < values; ++v) add(w, value + v * plane, sums, (1 + v) * next);
+            for (int c = 0; c < channels; ++c) {
+                add(dw[c], q, sums, (1 + values + 2 * c) * next);
+                add(dw[c], value + c * plane, sums, (2 + values + 2 * c) * next);
+            }
             if constexpr (channels > 0)
                 if (centre >= 0)
                     for (int k = 0; k < Sweep::count; ++k)
@@ -184,21 +190,13 @@ private:
         }
     }
 
-    /// f(count), with a count from 1 to group that the compiler knows.
-    template <class F>
-    static void with_count(int count, const F& f) {
-        [&]<int... Less>(std::integer_sequence<int, Less...>) {
-            ((count == Less + 1 ? f(std::integral_constant<int, Less + 1>{}) : void()), ...);
-        }
-        (std::make_integer_sequence<int, group>{});
-    }
-    /// Of each weight k:  sums[k] += w[k][0] u[0] + w[k][1] u[1] + ...
-    template <int Count, int Weights>
+    /// Of each weight k:  sums[k] += w[k][0] u[0] + w[k][1] u[1] + ..., a whole group.
+    template <int Weights>
     WINNOW_HD static void add(const lanes (&w)[Weights][group], const float* u, float* const (&sums)[Weights],
                               std::ptrdiff_t plane) {
         lanes s[Weights];
         for (int k = 0; k < Weights; ++k) s[k] = lanes::load(sums[k] + plane);
-        for (int i = 0; i < Count; ++i) {
+        for (int i = 0; i < group; ++i) {
             const lanes x = lanes::load(u + i);
             for (int k = 0; k < Weights; ++k) s[k] = lanes::fma(w[k][i], x, s[k]);
         }

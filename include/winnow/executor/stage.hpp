@@ -116,6 +116,10 @@ int staged_planes(const sweep_buffers& buffers) {
 template <class Sweep>
 void stage(const Sweep& sweep, const sweep_buffers& buffers, const staged_tile& tile) {
     using reads = typename Sweep::reads;
+    // Between the planes of a row and the next row, too, there must be numbers.
+    const std::ptrdiff_t used = staged_planes<Sweep>(buffers) * tile.step.plane;
+    for (int y = tile.region.y0; y < tile.region.y1; ++y)
+        std::fill(tile.at(0, tile.region.x0, y) + used, tile.at(0, tile.region.x0, y) + tile.step.row, 0.0f);
     detail::stage_coverage(buffers.size, tile, sweep.rule);
     reads::for_each([&]<class G>(G) {
         for (int c = 0; c < G::channels; ++c) {

@@ -14,10 +14,24 @@ namespace winnow {
 
 /// How far a run is; may be read, and `cancel` set, from any thread while the run goes on.
 struct progress {
-    std::atomic<int> done = 0;   ///< tiles that are finished
-    std::atomic<int> total = 0;  ///< tiles in all
+    std::atomic<int> done = 0;            ///< tiles of the current pass that are finished
+    std::atomic<int> total = 0;           ///< tiles of the current pass
+    std::atomic<float> from = 0, to = 1;  ///< which part of the whole run the current pass is
     std::atomic<bool> cancel =
         false;  ///< set it, and the run stops before its next tile; the output is then incomplete
+
+    /// The share of the run that is finished, 0 to 1.
+    float share() const {
+        const int all = total;
+        const float of_pass = all ? static_cast<float>(done) / static_cast<float>(all) : 0.0f;
+        return from + (to - from) * of_pass;
+    }
+    /// What follows is this part of the whole run.
+    void enter(float from_share, float to_share) {
+        done = 0;
+        from = from_share;
+        to = to_share;
+    }
 };
 
 /// Bytes aligned to a cache line, grown on demand and never shrunk.

@@ -46,9 +46,10 @@ struct harm_terms {
     /// Lowers lambda to what the squares of this radius ask for.
     void lower(image<float>& lambda, int radius, float sigmas) const {
         const extent size = lambda.size();
+        std::vector<float> rows;
         const auto mean = [&](const auto& value) {
             image<float> result(size);
-            box_mean(value, result.view(), radius);
+            box_mean(value, result.view(), radius, rows);
             return result;
         };
         // Only pixels that all terms know.

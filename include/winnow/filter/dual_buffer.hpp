@@ -63,7 +63,9 @@ struct dual_buffer {
             }
             filter(frame, o, executor, memory);
         };
+        memory.progress.enter(0, 0.5f);
         run(crossed_frame<Frame, half_b, half_a>{in}, first);
+        memory.progress.enter(0.5f, 1);
         run(crossed_frame<Frame, half_a, half_b>{in}, second);
 
         const auto combine = [&](const target& to, int plane, const auto& f) {

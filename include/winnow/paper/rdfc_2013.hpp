@@ -57,6 +57,7 @@ struct rdfc_of<planes<Feature...>, Selection> {
         scratch_images images(memory, size, scratch_planes(out));
         const pass_runner passes(executor, memory);
 
+        memory.progress.enter(0, 0.1f);
         const image_view<float> color_noise = images.take(3);
         noise_of(in, color, color_noise, memory);
         const std::array cleaned{prefilter(passes, in, Feature{}, images)...};
@@ -70,24 +71,26 @@ struct rdfc_of<planes<Feature...>, Selection> {
         }
         (std::index_sequence_for<Feature...>{});
 
+        memory.progress.enter(0.1f, 0.8f);
         std::array<candidate_images, 3> candidate{take_candidate(images, out), take_candidate(images, out),
                                                   take_candidate(images, out)};
         run_candidates(guides, candidate, out, executor, memory);
 
+        memory.progress.enter(0.8f, 0.9f);
         const image_view<float> share = images.take(3), error = images.take(1);
         select(passes, guides, candidate, share, error, images);
         write_estimates(passes, candidate, share, error, out, selected);
         average(passes, candidate, share);
+        memory.progress.enter(0.9f, 1);
         second_pass(passes, candidate, out);
     }
     bool operator==(const rdfc_of&) const = default;
 
     /// How far from a pixel its result can depend on the input, in pixels.
     friend int halo(const rdfc_of& f) {
-        const int scaling = 10, features = halo(f.feature_filter(albedo)) + 2;
-        return std::max(scaling, features) + std::max(halo(f.first()), halo(f.second())) +
-               halo(f.smoothing(f.selection.error_radius)) + halo(f.smoothing(f.selection.map_radius)) + 2 +
-               halo(f.last());
+        const int scaling = 11, blur = 3, features = scaling + halo(f.feature_filter(albedo)) + blur;
+        const int selecting = halo(f.smoothing(f.selection.error_radius)) + halo(f.smoothing(f.selection.map_radius));
+        return features + std::max(halo(f.first()), halo(f.second())) + selecting + blur + halo(f.last());
     }
 
     // The filters that it is made of.
