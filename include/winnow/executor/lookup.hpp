@@ -8,12 +8,16 @@
 
 namespace winnow {
 
-/// The offsets (first .. last - 1, dy).
+/// The offsets (first .. last - 1, dy), in this frame or another.
 struct offset_group {
     static constexpr int largest = 8;  ///< each takes a register for its weight
     int first, last, dy;
+    std::ptrdiff_t to_frame = 0;  ///< from the planes of p's frame to those of q's, in floats
 
     int size() const { return last - first; }
+    bool other_frame() const { return to_frame != 0; }
+    /// Where the first q lies.
+    const float* q(const float* p, pitch step) const { return p + first + dy * step.row + to_frame; }
 };
 
 namespace detail {
@@ -25,6 +29,13 @@ concept averages_over_patch = requires {
 };
 template <class Node>
 struct is_patch : std::bool_constant<averages_over_patch<Node>> {};
+
+/// A policy that looks at other pairs of pixels than its own, or holds one that does.
+template <class Node>
+inline constexpr bool looks_around = requires(const Node& node) {
+    node.reach();
+}
+|| std::tuple_size_v<decltype(collect<is_patch>(std::declval<Node>()))> > 0;
 
 /// Stands in the expression where a policy stood; its slopes, if it has any, lie in the places after its value.
 template <class Role, bool Slopes>

@@ -149,7 +149,7 @@ private:
             constexpr int n = slopes<index>;
             for (int x = 0; x < pixels; x += lanes::size) {
                 const float* p = staged.at(0, tile.x0 - radius_ + x, y);
-                const float* q = p + offsets.first + offsets.dy * staged.step.row;
+                const float* q = offsets.q(p, staged.step);
                 float* to = ring(memory, 0, ring_place(index), y) + x;
                 // Stored last: stores would keep what depends on p alone from being computed once.
                 lanes value[group], slope[2 * n + 1][group];
@@ -168,7 +168,7 @@ private:
                 if constexpr (n > 0)
                     for (int i = 0; i < offsets.size(); ++i) {
                         for (int c = 0; c < n; ++c) slope[n + c][i] = lanes(0.0f);
-                        if (!near(offsets.first + i, offsets.dy, radius_)) continue;
+                        if (offsets.other_frame() || !near(offsets.first + i, offsets.dy, radius_)) continue;
                         const pixel_pair<differential<lanes, Varied>, Reads> pq(p, q + i, staged.step,
                                                                                 offsets.first + i, offsets.dy);
                         const auto at_q = evaluated(pq.varying(false, true));
@@ -273,13 +273,7 @@ private:
                tile.x1 + radius_ + std::max(offsets.last - 1, 0) <= size_.width;
     }
 
-    template <class Node>
-    static constexpr bool looks_around = std::tuple_size_v<decltype(collect<detail::is_patch>(std::declval<Node>()))> >
-                                             0 ||
-                                         requires(const Node& node) {
-        node.reach();
-    };
-    static_assert(((!looks_around<typename Patch::prepares> || detail::places_of<Patch, Varied> == 1) && ...),
+    static_assert(((!detail::looks_around<typename Patch::prepares> || detail::places_of<Patch, Varied> == 1) && ...),
                   "the derivative of a patch within a patch is worked out by executor::serial alone");
 
     std::tuple<Patch...> patches_;

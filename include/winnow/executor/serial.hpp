@@ -86,33 +86,38 @@ private:
         const auto value = [&](int v, int i, int j) { return Real(*staged.at(1 + Sweep::reads::count + v, i, j)); };
         Real total = 0, own = 0, slopes[channels<Sweep> + 1] = {}, slopes_of_sums[channels<Sweep> + 1] = {};
         std::fill(results, results + values, Real(0));
-        const int reach = window_reach(sweep, buffers.size);
-        for (int dy = -reach; dy <= reach; ++dy) {
-            const int half = window_half_width(sweep, buffers.size, dy);
-            for (int dx = -half; dx <= half; ++dx) {
-                const float* q = staged.at(0, x + dx, y + dy);
-                if (*q == 0) continue;  // no pixel there
-                const auto of = [&]<class Number>(std::type_identity<Number>) {
-                    return weight(
-                        pixel_pair<Number, typename Sweep::reads>(staged.at(0, x, y), q, staged.step, dx, dy));
-                };
-                Real w;
-                if constexpr (detail::varies_with<Weight, varied>) {
-                    const auto varying = of(std::type_identity<differential<Real, varied>>{});
-                    w = varying.value();
-                    // A pixel's weight for itself is the same whatever its value.
-                    for (int c = 0; c < (dx == 0 && dy == 0 ? 0 : channels<Sweep>); ++c) {
-                        slopes[c] += varying.slope(c);
-                        slopes_of_sums[c] += varying.slope(c) * value(c, x + dx, y + dy);
-                    }
-                } else {
-                    w = of(std::type_identity<Real>{});
+        const auto add = [&](int f, int dx, int dy) {
+            const int frame = f * planes_of_frame<Sweep>(buffers);
+            const float* q = staged.at(frame, x + dx, y + dy);
+            if (*q == 0) return;  // no pixel there
+            const auto of_q = [&](int v) { return value(frame + v, x + dx, y + dy); };
+            const auto of = [&]<class Number>(std::type_identity<Number>) {
+                return pixel_pair<Number, typename Sweep::reads>(staged.at(0, x, y), q, staged.step, dx, dy);
+            };
+            const bool own_pixel = f == 0 && dx == 0 && dy == 0;
+            Real w;
+            if constexpr (detail::varies_with<Weight, varied>) {
+                const auto pair = of(std::type_identity<differential<Real, varied>>{});
+                const auto varying = weight(f == 0 ? pair : pair.to_other_frame());
+                w = varying.value();
+                // A pixel's weight for itself is the same whatever its value.
+                for (int c = 0; c < (own_pixel ? 0 : channels<Sweep>); ++c) {
+                    slopes[c] += varying.slope(c);
+                    slopes_of_sums[c] += varying.slope(c) * of_q(c);
                 }
-                if (dx == 0 && dy == 0) own = w;
-                total += w;
-                for (int v = 0; v < values; ++v) results[v] += w * value(v, x + dx, y + dy);
+            } else {
+                w = weight(of(std::type_identity<Real>{}));
             }
-        }
+            if (own_pixel) own = w;
+            total += w;
+            for (int v = 0; v < values; ++v) results[v] += w * of_q(v);
+        };
+        const int reach = window_reach(sweep, buffers.size);
+        for (int f = 0; f < buffers.frames; ++f)
+            for (int dy = -reach; dy <= reach; ++dy) {
+                const int half = window_half_width(sweep, buffers.size, dy);
+                for (int dx = -half; dx <= half; ++dx) add(f, dx, dy);
+            }
         const bool weighted = total > Real(no_weight);
         for (int v = 0; v < values; ++v) results[v] = weighted ? results[v] / total : value(v, x, y);
         results[values] = total;

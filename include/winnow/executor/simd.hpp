@@ -47,16 +47,19 @@ struct offset_major {
         const auto shared = shared_of(sweep);
         const int values = static_cast<int>(buffers.values.size());
         const int reach = window_reach(sweep, buffers.size);
-        for (int dy = -reach; dy <= reach; ++dy) {
-            const int half = window_half_width(sweep, buffers.size, dy);
-            const int groups = detail::ceil_div(2 * half + 1, group);
-            for (int g = 0; g < groups; ++g) {
-                const offset_group offsets{-half + (2 * half + 1) * g / groups,
-                                           -half + (2 * half + 1) * (g + 1) / groups, dy};
-                ahead.start(tile, offsets, memory.patches);
-                for (int y = tile.y0; y < tile.y1; ++y) {
-                    ahead.row(staged, tile, offsets, y, memory.patches);
-                    accumulate<Sweep>(shared, values, memory, staged, tile, offsets, y, ahead);
+        for (int f = 0; f < buffers.frames; ++f) {
+            const std::ptrdiff_t to_frame = f * planes_of_frame<Sweep>(buffers) * memory.step.plane;
+            for (int dy = -reach; dy <= reach; ++dy) {
+                const int half = window_half_width(sweep, buffers.size, dy);
+                const int groups = detail::ceil_div(2 * half + 1, group);
+                for (int g = 0; g < groups; ++g) {
+                    const offset_group offsets{-half + (2 * half + 1) * g / groups,
+                                               -half + (2 * half + 1) * (g + 1) / groups, dy, to_frame};
+                    ahead.start(tile, offsets, memory.patches);
+                    for (int y = tile.y0; y < tile.y1; ++y) {
+                        ahead.row(staged, tile, offsets, y, memory.patches);
+                        accumulate<Sweep>(shared, values, memory, staged, tile, offsets, y, ahead);
+                    }
                 }
             }
         }
@@ -136,10 +139,11 @@ private:
         using varied = varied_in<Sweep>;
         constexpr int channels = detail::channels_of<varied>;
         const std::ptrdiff_t next = std::ptrdiff_t{memory.tile.width} * memory.tile.height, plane = memory.step.plane;
-        const int centre = offsets.dy == 0 && offsets.first <= 0 && 0 < offsets.last ? -offsets.first : -1;
+        const bool has_centre = !offsets.other_frame() && offsets.dy == 0 && offsets.first <= 0 && 0 < offsets.last;
+        const int centre = has_centre ? -offsets.first : -1;
         for (int x = 0; x < tile.x1 - tile.x0; x += lanes::size) {
             const float* p = staged.at(0, tile.x0 + x, y);
-            const float* q = p + offsets.first + offsets.dy * staged.step.row;
+            const float* q = offsets.q(p, staged.step);
             const auto pair = [&]<class Real>(std::type_identity<Real>, int i) WINNOW_HD_LAMBDA {
                 return pixel_pair<Real, reads>(p, q + i, staged.step, offsets.first + i, offsets.dy,
                                                prepared{ahead.at(memory.patches, i, x), ahead.width()});

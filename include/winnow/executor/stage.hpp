@@ -106,13 +106,18 @@ struct gradient_source<gradient_of<G>> {
 
 }  // namespace detail
 
-/// The number of planes that a sweep stages: coverage, guides, values.
+/// The number of planes that a sweep stages of one frame: coverage, guides, values.
 template <class Sweep>
-int staged_planes(const sweep_buffers& buffers) {
+int planes_of_frame(const sweep_buffers& buffers) {
     return 1 + Sweep::reads::count + static_cast<int>(buffers.values.size());
 }
+/// The same of all frames.
+template <class Sweep>
+int staged_planes(const sweep_buffers& buffers) {
+    return buffers.frames * planes_of_frame<Sweep>(buffers);
+}
 
-/// Fills the planes of a tile.  Value v lies in plane 1 + reads::count + v.
+/// Fills the planes of a tile.  Value v lies in plane 1 + reads::count + v; further frames follow in the same order.
 template <class Sweep>
 void stage(const Sweep& sweep, const sweep_buffers& buffers, const staged_tile& tile) {
     using reads = typename Sweep::reads;
@@ -120,23 +125,28 @@ void stage(const Sweep& sweep, const sweep_buffers& buffers, const staged_tile& 
     const std::ptrdiff_t used = staged_planes<Sweep>(buffers) * tile.step.plane;
     for (int y = tile.region.y0; y < tile.region.y1; ++y)
         std::fill(tile.at(0, tile.region.x0, y) + used, tile.at(0, tile.region.x0, y) + tile.step.row, 0.0f);
-    detail::stage_coverage(buffers.size, tile, sweep.rule);
-    reads::for_each([&]<class G>(G) {
-        for (int c = 0; c < G::channels; ++c) {
-            const int slot = slot_of<G>(reads{}) + c;
-            if constexpr (!detail::is_gradient<G>)
-                detail::stage_plane(buffers.guides[slot], tile, 1 + slot, sweep.rule, detail::range_of<G>);
-        }
-    });
-    reads::for_each([&]<class G>(G) {
-        if constexpr (detail::is_gradient<G>)
-            for (int c = 0; c < G::channels; ++c)
-                detail::stage_gradient(buffers.size, tile,
-                                       1 + slot_of<typename detail::gradient_source<G>::type>(reads{}) + c,
-                                       1 + slot_of<G>(reads{}) + c);
-    });
-    for (int v = 0; v < static_cast<int>(buffers.values.size()); ++v)
-        detail::stage_plane(buffers.values[v], tile, 1 + reads::count + v, sweep.rule, {});
+    for (int f = 0; f < buffers.frames; ++f) {
+        const frame_planes& frame = f == 0 ? buffers : buffers.others[static_cast<std::size_t>(f - 1)];
+        staged_tile part = tile;
+        part.origin += f * planes_of_frame<Sweep>(buffers) * tile.step.plane;
+        detail::stage_coverage(buffers.size, part, sweep.rule);
+        reads::for_each([&]<class G>(G) {
+            for (int c = 0; c < G::channels; ++c) {
+                const int slot = slot_of<G>(reads{}) + c;
+                if constexpr (!detail::is_gradient<G>)
+                    detail::stage_plane(frame.guides[slot], part, 1 + slot, sweep.rule, detail::range_of<G>);
+            }
+        });
+        reads::for_each([&]<class G>(G) {
+            if constexpr (detail::is_gradient<G>)
+                for (int c = 0; c < G::channels; ++c)
+                    detail::stage_gradient(buffers.size, part,
+                                           1 + slot_of<typename detail::gradient_source<G>::type>(reads{}) + c,
+                                           1 + slot_of<G>(reads{}) + c);
+        });
+        for (int v = 0; v < static_cast<int>(frame.values.size()); ++v)
+            detail::stage_plane(frame.values[v], part, 1 + reads::count + v, sweep.rule, {});
+    }
 }
 
 }  // namespace winnow

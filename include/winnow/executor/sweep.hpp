@@ -25,18 +25,29 @@ struct sweep {
     std::tuple<Weights...> weights;
 };
 
+/// The planes of one frame.
+struct frame_planes {
+    std::vector<source> guides;  ///< one a plane of `reads`; empty where the executor derives the plane
+    std::vector<source> values;  ///< the planes to filter: colour, its halves, further layers, as far as asked for
+
+    void clear() {
+        guides.clear();
+        values.clear();
+    }
+};
+
 /// The memory of one sweep, type-erased; filled by the filter, used again from run to run.
-struct sweep_buffers {
+struct sweep_buffers : frame_planes {
     extent size;
-    std::vector<source> guides;       ///< one a plane of `reads`; empty where the executor derives the plane
-    std::vector<source> values;       ///< the planes to filter: colour, its halves, further layers, as far as asked for
-    int channels = 0;                 ///< of colour
-    bool mean = false;                ///< whether the values begin with the colour
-    bool halves = false;              ///< whether its halves come next
-    std::vector<target> results;      ///< [weight][value]; empty where nobody asked for it, as are the following
-    std::vector<target> errors;       ///< [weight][channel of colour]
-    std::vector<target> derivatives;  ///< [weight][channel of colour]
-    std::vector<target> supports;     ///< [weight]
+    std::vector<frame_planes> others;  ///< frames around, of a window over several
+    int frames = 1;                    ///< how many there are, with this one
+    int channels = 0;                  ///< of colour
+    bool mean = false;                 ///< whether the values begin with the colour
+    bool halves = false;               ///< whether its halves come next
+    std::vector<target> results;       ///< [weight][value]; empty where nobody asked for it, as are the following
+    std::vector<target> errors;        ///< [weight][channel of colour]
+    std::vector<target> derivatives;   ///< [weight][channel of colour]
+    std::vector<target> supports;      ///< [weight]
 };
 
 namespace detail {

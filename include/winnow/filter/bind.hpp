@@ -9,6 +9,7 @@
 #include <winnow/filter/frame_with.hpp>
 #include <winnow/frame/frame.hpp>
 #include <winnow/frame/output.hpp>
+#include <winnow/window/concept.hpp>
 
 namespace winnow::detail {
 
@@ -66,7 +67,7 @@ source find_or_fail(const Frame& in, G) {
 
 /// Fills the buffers of a sweep from a frame and one output for each of its weights.
 template <class Sweep, class Frame>
-void bind_sweep(const Frame& in, std::span<const output> out, sweep_buffers& buffers) {
+void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out, sweep_buffers& buffers) {
     using estimator = std::remove_const_t<decltype(Sweep::estimator)>;
     const auto value = filtered_guide(in);
     if constexpr (estimator::needs_derivative)
@@ -81,24 +82,26 @@ void bind_sweep(const Frame& in, std::span<const output> out, sweep_buffers& buf
              std::to_string(value.channels));
     buffers.size = main.size;
     buffers.channels = main.channels;
-    buffers.guides.clear();
-    buffers.values.clear();
+    buffers.clear();
     buffers.results.clear();
     buffers.errors.clear();
     buffers.derivatives.clear();
     buffers.supports.clear();
 
-    Sweep::reads::for_each([&]<class G>(G) {
-        source layer;
-        if constexpr (!is_gradient<G>) {
-            layer = find_or_fail(in, G{});
-            check_layer(G{}, layer, G::channels, buffers.size, value);
-        }
-        for (int c = 0; c < G::channels; ++c) buffers.guides.push_back(layer ? layer.channel(c) : source{});
-    });
+    const auto add_guides = [&](const auto& frame, frame_planes& to) {
+        Sweep::reads::for_each([&]<class G>(G) {
+            source layer;
+            if constexpr (!is_gradient<G>) {
+                layer = find_or_fail(frame, G{});
+                check_layer(G{}, layer, G::channels, buffers.size, value);
+            }
+            for (int c = 0; c < G::channels; ++c) to.guides.push_back(layer ? layer.channel(c) : source{});
+        });
+    };
+    add_guides(in, buffers);
 
-    const auto add_values = [&](const source& layer) {
-        for (int c = 0; c < layer.channels; ++c) buffers.values.push_back(layer.channel(c));
+    const auto add_values = [&](const source& layer, frame_planes& to) {
+        for (int c = 0; c < layer.channels; ++c) to.values.push_back(layer.channel(c));
     };
     bool estimates = false;
     buffers.mean = buffers.halves = false;
@@ -118,23 +121,37 @@ void bind_sweep(const Frame& in, std::span<const output> out, sweep_buffers& buf
     // Estimates are made of the mean; halves come after it.
     buffers.mean = buffers.mean || buffers.halves || estimates || estimator::needs_derivative;
     if (layers_alone && buffers.mean) fail("the filter needs " + value.name() + ", which the frame does not have");
-    if (buffers.mean) add_values(main);
-    if (buffers.halves) {
-        const auto half = [&](auto g) {
-            const source layer = in.find(g);
+    const auto add_colors = [&](const auto& frame, frame_planes& to) {
+        const auto add_color = [&](auto g, const char* otherwise) {
+            const source layer = frame.find(g);
             if (!layer)
-                fail("half buffers are asked for, but the frame has no " + g.name() +
+                fail(std::string(otherwise) + g.name() +
                      "; render the frame twice with other seeds, or split its samples by parity");
             check_layer(g, layer, buffers.channels, buffers.size, value);
-            add_values(layer);
+            add_values(layer, to);
         };
-        half(first_half(value));
-        half(second_half(value));
-    }
+        if (buffers.mean) add_color(value, "a frame has no ");
+        if (buffers.halves) {
+            add_color(first_half(value), "half buffers are asked for, but the frame has no ");
+            add_color(second_half(value), "half buffers are asked for, but the frame has no ");
+        }
+    };
+    add_colors(in, buffers);
     for (const auto& layer : out[0].layers()) {
         check_layer("a further layer", layer.first, layer.first.channels, buffers.size, value);
-        add_values(layer.first);
+        add_values(layer.first, buffers);
     }
+    buffers.frames = 1;
+    if constexpr (requires { in.for_each_other(0, [](const auto&) {}); })
+        in.for_each_other(frames_around(sweep.window), [&](const auto& other) {
+            if (!out[0].layers().empty())
+                fail("further layers are those of one frame; the filter's window looks at others too");
+            const std::size_t i = static_cast<std::size_t>(buffers.frames++) - 1;
+            if (buffers.others.size() <= i) buffers.others.emplace_back();
+            buffers.others[i].clear();
+            add_guides(other, buffers.others[i]);
+            add_colors(other, buffers.others[i]);
+        });
 
     const auto add = [&](std::vector<target>& to, const target& layer, int channels, const char* what) {
         if (layer) {
@@ -179,7 +196,7 @@ template <class Sweep, class Frame, class Executor>
 void run_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out, const Executor& executor,
                workspace& memory) {
     check_numbers(sweep);
-    bind_sweep<Sweep>(in, out, memory.buffers);
+    bind_sweep(sweep, in, out, memory.buffers);
     run_tiles(executor.kernel(), sweep, memory, executor.workers(),
               [&](int count, const auto& work) { executor.dispatch(count, work); });
 }

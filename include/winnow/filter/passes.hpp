@@ -72,6 +72,16 @@ public:
         for_each_pixel({to.size.width, to.size.height * to.channels}, [&](std::ptrdiff_t i) { to.data[i] = f(i); });
     }
 
+    /// The variance that filtered halves show: share (A - B)^2, blurred with a Gaussian of half a pixel.
+    void residual_variance(const image_view<float>& half_a, const image_view<float>& half_b, float share,
+                           const image_view<float>& between, const image_view<float>& to) const {
+        for_each_value(between, [&](std::ptrdiff_t i) {
+            const float difference = half_a.data[i] - half_b.data[i];
+            return std::min(share * difference * difference, detail::largest_variance);
+        });
+        blur(between, to, 0.5f);
+    }
+
     const Executor& executor() const { return executor_; }
     workspace& memory() const { return memory_; }
 

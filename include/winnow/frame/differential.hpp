@@ -154,6 +154,13 @@ public:
         return one;
     }
 
+    /// The same pair where q is in another frame than p: no shift leads from q to p.
+    WINNOW_HD pixel_pair to_other_frame() const {
+        pixel_pair other = *this;
+        other.other_frame_ = true;
+        return other;
+    }
+
     template <class H>
     WINNOW_HD real p(H, int c = 0) const {
         if constexpr (std::is_same_v<H, G>)
@@ -175,7 +182,7 @@ public:
         moved.x_ = x_ + x;
         moved.y_ = y_ + y;
         moved.at_p_ = moved.x_ == 0 && moved.y_ == 0;
-        moved.at_q_ = moved.x_ == -dx_ && moved.y_ == -dy_;
+        moved.at_q_ = !other_frame_ && moved.x_ == -dx_ && moved.y_ == -dy_;
         return moved;
     }
     WINNOW_HD real covered() const { return plain_.covered(); }
@@ -193,6 +200,7 @@ private:
     int x_ = 0, y_ = 0;  ///< how far it has been shifted
     /// A pixel with itself: weights do not change with it, so that only p's side has to be looked at.
     bool at_p_ = true, at_q_ = false;
+    bool other_frame_ = false;
 };
 
 }  // namespace winnow

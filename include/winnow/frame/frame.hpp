@@ -2,6 +2,7 @@
 #pragma once
 /// \file
 /// A frame: the renderer's buffers under their names, without a copy.
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -87,6 +88,30 @@ template <guide G, class Frame>
 constexpr filtering_frame<G, Frame> filtering(G, const Frame& in) {
     return {in};
 }
+
+/// A frame of an animation with those around it, all of one type and size.  A filter whose window spans several frames
+/// (window::space_time) asks for neighbours in them too; to all others it is the current frame.
+template <class Frame>
+struct frame_sequence {
+    const Frame& current;
+    std::span<const Frame> before;  ///< the nearest first
+    std::span<const Frame> after;   ///< likewise
+
+    template <guide H>
+    static constexpr bool has(H) {
+        return Frame::has(H{});
+    }
+    template <guide H>
+    source find(H) const {
+        return current.find(H{});
+    }
+    /// f(frame) for each frame but the current one, up to `count` on either side.
+    template <class F>
+    void for_each_other(int count, const F& f) const {
+        for (const auto& side : {before, after})
+            for (std::size_t i = 0; i < side.size() && i < static_cast<std::size_t>(count); ++i) f(side[i]);
+    }
+};
 
 /// The frame with one half of the samples as what is filtered and the other half as what guides:
 /// `color` is Guide<color>, its variance that of Guide<color>, and the filter is applied to Value<color>.

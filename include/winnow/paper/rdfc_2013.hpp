@@ -8,21 +8,11 @@
 #include <winnow/filter/passes.hpp>
 #include <winnow/paper/nlm_2012.hpp>
 #include <winnow/paper/rdfc_2013_candidate.hpp>
+#include <winnow/paper/rdfc_2013_cleaning.hpp>
 #include <winnow/paper/rdfc_2013_selection.hpp>
+#include <winnow/window/space_time.hpp>
 
 namespace winnow::paper {
-
-struct rdfc_numbers {
-    int radius = 10;           ///< of the window, in pixels; 20 where light has spikes
-    float k_color = 0.45f;     ///< sensitivity to colour differences: larger filters more
-    float k_feature = 0.6f;    ///< sensitivity to feature differences
-    float tau = 1e-2f;         ///< of FIRST and SECOND: squared contrast below which features are alike
-    float tau_third = 1e-3f;   ///< of THIRD
-    float epsilon = 1e-10f;    ///< variance below which a difference of colours is real
-    int feature_radius = 5;    ///< of the window of the feature prefilter, in pixels
-    float half_share = 0.25f;  ///< how much of (A - B)^2 is the variance of the mean: see share_of_halves
-    float feature_share = 1;   ///< the same, of a filtered feature; by the paper's words, all of it
-};
 
 /// Features: the buffers beside the colour, in unit range (see unit_range), for instance
 /// planes<albedo_t, normal_t, depth_t, visibility_t>.  Selection: binary_maps as in the paper, or convex_blend.
@@ -54,27 +44,21 @@ struct rdfc_of<planes<Feature...>, Selection> {
     void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory,
                     const target& selected = {}) const {
         const extent size = check(in, out, selected);
-        scratch_images images(memory, size, scratch_planes(out));
+        scratch_images images(memory, size, scratch_planes(in, out));
         const pass_runner passes(executor, memory);
 
         memory.progress.enter(0, 0.1f);
-        const image_view<float> color_noise = images.take(3);
-        noise_of(in, color, color_noise, memory);
-        const std::array cleaned{prefilter(passes, in, Feature{}, images)...};
-        const auto guides = [&]<std::size_t... I>(std::index_sequence<I...>) {
-            return frame{color = in.find(color),
-                         variance(color) = color_noise,
-                         first_half(color) = in.find(first_half(color)),
-                         second_half(color) = in.find(second_half(color)),
-                         (Feature{} = cleaned[I].mean)...,
-                         (variance(Feature{}) = cleaned[I].variance)...};
-        }
-        (std::index_sequence_for<Feature...>{});
+        const rdfc_cleaning<Feature...> cleaning{numbers};
+        const auto guides = cleaning(passes, in, images);
+        std::vector<std::remove_const_t<decltype(guides)>> others;
+        if constexpr (is_sequence<Frame>)
+            in.for_each_other(numbers.frames,
+                              [&](const auto& other) { others.push_back(cleaning(passes, other, images)); });
 
         memory.progress.enter(0.1f, 0.8f);
         std::array<candidate_images, 3> candidate{take_candidate(images, out), take_candidate(images, out),
                                                   take_candidate(images, out)};
-        run_candidates(guides, candidate, out, executor, memory);
+        run_candidates(around(in, guides, std::span(std::as_const(others))), candidate, out, executor, memory);
 
         memory.progress.enter(0.8f, 0.9f);
         const image_view<float> share = images.take(3), error = images.take(1);
@@ -88,7 +72,8 @@ struct rdfc_of<planes<Feature...>, Selection> {
 
     /// How far from a pixel its result can depend on the input, in pixels.
     friend int halo(const rdfc_of& f) {
-        const int scaling = 11, blur = 3, features = scaling + halo(f.feature_filter(albedo)) + blur;
+        const int scaling = 11, blur = 3,
+                  features = scaling + halo(rdfc_cleaning<Feature...>{f.numbers}.feature_filter(albedo)) + blur;
         const int selecting = halo(f.smoothing(f.selection.error_radius)) + halo(f.smoothing(f.selection.map_radius));
         return features + std::max(halo(f.first()), halo(f.second())) + selecting + blur + halo(f.last());
     }
@@ -98,13 +83,8 @@ struct rdfc_of<planes<Feature...>, Selection> {
     auto second() const { return candidate_filter(3); }
     auto third() const {
         return filter{rdfc_feature_weight(features{}, numbers.k_feature, numbers.tau_third),
-                      window::square{.radius = numbers.radius}}
+                      window::space_time{numbers.radius, numbers.frames}}
             .with(estimator::sure{});
-    }
-    template <guide G>
-    auto feature_filter(G) const {
-        return filter{exponential(patch(noise_normalized(G{}, {.k = 1}), {.radius = 3})),
-                      window::square{.radius = numbers.feature_radius}};
     }
     /// Of error maps and selection maps.
     auto smoothing(int radius) const {
@@ -116,9 +96,6 @@ struct rdfc_of<planes<Feature...>, Selection> {
     }
 
 private:
-    struct cleaned_feature {
-        source mean, variance;
-    };
     /// What one candidate leaves; `further` are the further layers, side by side.
     struct candidate_images {
         image_view<float> mean, half_a, half_b, derivative, support, further;
@@ -127,6 +104,7 @@ private:
     auto candidate_filter(int patch_radius) const {
         return make_rdfc_candidate_of<features>(
                    {numbers.radius, patch_radius, numbers.k_color, numbers.k_feature, numbers.tau, numbers.epsilon})
+            .with(window::space_time{numbers.radius, numbers.frames})
             .with(estimator::sure{});
     }
 
@@ -135,9 +113,16 @@ private:
         for (const auto& layer : out.layers()) channels += layer.first.channels;
         return channels;
     }
-    static int scratch_planes(const output& out) {
-        const int candidate = 3 * 4 + 1 + further_channels(out);
-        return 3 + 2 * features::count + 3 * candidate + 4 + 2 * Selection::statistics + 3;
+    template <class Frame>
+    static constexpr bool is_sequence = requires(const Frame& in) {
+        in.for_each_other(0, [](const auto&) {});
+    };
+    template <class Frame>
+    int scratch_planes(const Frame& in, const output& out) const {
+        const int guides = 3 + 2 * features::count, candidate = 3 * 4 + 1 + further_channels(out);
+        int frames = 1;
+        if constexpr (is_sequence<Frame>) in.for_each_other(numbers.frames, [&](const auto&) { ++frames; });
+        return frames * guides + 3 * candidate + 4 + 2 * Selection::statistics + 3;
     }
 
     template <class Frame>
@@ -176,44 +161,15 @@ private:
         return main.size;
     }
 
-    /// Lines 2 and 4: the variance of the mean of G, at the magnitude that its halves show.
-    template <class Frame, guide G>
-    void noise_of(const Frame& in, G g, const image_view<float>& to, workspace& memory) const {
-        const source a = in.find(first_half(g)), b = in.find(second_half(g)), samples = in.find(variance(g));
-        if (samples) scale_variance_to_halves(samples, a, b, to, 10, numbers.half_share, memory.noise);
-        else variance_from_halves(a, b, to, 1, numbers.half_share, memory.noise);
-    }
-
-    /// Lines 5 to 8: a feature filtered by itself, and the variance that is left.
-    template <class Passes, class Frame, guide G>
-    cleaned_feature prefilter(const Passes& passes, const Frame& in, G g, scratch_images& images) const {
-        const source noisy = in.find(g), a = in.find(first_half(g)), b = in.find(second_half(g));
-        const image_view<float> residual = images.take(G::channels);
-        if (!a || !b) {
-            passes.for_each_value(residual, [](std::ptrdiff_t) { return 0.0f; });
-            return {noisy, residual};
+    /// The clean frame, or it and those around it.
+    template <class Frame, class Guides>
+    auto around([[maybe_unused]] const Frame& in, const Guides& guides, std::span<const Guides> others) const {
+        if constexpr (is_sequence<Frame>) {
+            const std::size_t before = std::min(in.before.size(), static_cast<std::size_t>(numbers.frames));
+            return frame_sequence<Guides>{guides, others.first(before), others.subspan(before)};
+        } else {
+            return guides;
         }
-        const image_view<float> mean = images.take(G::channels);
-        scratch_images later = images;  // memory that the candidates will take
-        const auto noise = later.take(G::channels), half_a = later.take(G::channels), half_b = later.take(G::channels);
-        noise_of(in, g, noise, passes.memory());
-        const frame guides{g = noisy, variance(g) = noise, first_half(g) = a, second_half(g) = b};
-        feature_filter(g)(filtering(g, guides), passes.memory().pass(mean).halves(half_a, half_b), passes.executor(),
-                          passes.memory());
-        residual_variance(passes, half_a, half_b, numbers.feature_share, noise, residual);
-        return {mean, residual};
-    }
-
-    /// buffer_var: share (A - B)^2, blurred with a Gaussian of half a pixel.
-    template <class Passes>
-    static void residual_variance(const Passes& passes, const image_view<float>& half_a,
-                                  const image_view<float>& half_b, float share, const image_view<float>& between,
-                                  const image_view<float>& to) {
-        passes.for_each_value(between, [&](std::ptrdiff_t i) {
-            const float difference = half_a.data[i] - half_b.data[i];
-            return std::min(share * difference * difference, detail::largest_variance);
-        });
-        passes.blur(between, to, 0.5f);
     }
 
     candidate_images take_candidate(scratch_images& images, const output& out) const {
@@ -334,7 +290,7 @@ private:
     void second_pass(const Passes& passes, const std::array<candidate_images, 3>& candidate, const output& out) const {
         const candidate_images& averaged = candidate[0];
         const image_view<float> between = candidate[1].derivative, noise = candidate[2].derivative;
-        residual_variance(passes, averaged.half_a, averaged.half_b, numbers.half_share, between, noise);
+        passes.residual_variance(averaged.half_a, averaged.half_b, numbers.half_share, between, noise);
         output& pass = passes.memory().pass(out.mean()).halves(out.half_a(), out.half_b());
         int channel = 0;
         for (const auto& layer : out.layers()) {

@@ -45,4 +45,18 @@ constexpr auto make_rdfc_candidate(rdfc_candidate_numbers n = {}) {
 }
 using rdfc_candidate = decltype(make_rdfc_candidate());
 
+/// Numbers of the whole filter.
+struct rdfc_numbers {
+    int radius = 10;           ///< of the window, in pixels; 20 where light has spikes
+    int frames = 0;            ///< before and after, of a frame_sequence, in which neighbours are looked for
+    float k_color = 0.45f;     ///< sensitivity to colour differences: larger filters more
+    float k_feature = 0.6f;    ///< sensitivity to feature differences
+    float tau = 1e-2f;         ///< of FIRST and SECOND: squared contrast below which features are alike
+    float tau_third = 1e-3f;   ///< of THIRD
+    float epsilon = 1e-10f;    ///< variance below which a difference of colours is real
+    int feature_radius = 5;    ///< of the window of the feature prefilter, in pixels
+    float half_share = 0.25f;  ///< how much of (A - B)^2 is the variance of the mean: see share_of_halves
+    float feature_share = 1;   ///< the same, of a filtered feature; by the paper's words, all of it
+};
+
 }  // namespace winnow::paper

@@ -15,7 +15,14 @@ concept window_policy = plays<W, role::window> && requires(const W w, int dy) {
     { w.half_width(dy) } -> std::same_as<int>;
 };
 
-/// The number of offsets in a window.
+/// How many frames before and after the current one a window looks at: 0, unless it has  int frames_around() const.
+template <window_policy W>
+constexpr int frames_around(const W& window) {
+    if constexpr (requires { window.frames_around(); }) return window.frames_around();
+    else return 0;
+}
+
+/// The number of offsets in a window, of one frame.
 template <window_policy W>
 constexpr long long area(const W& window) {
     long long count = 0;
