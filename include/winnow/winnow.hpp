@@ -25,4 +25,5 @@
 #include <winnow/weight/gaussian.hpp>
 #include <winnow/weight/patch_mean.hpp>
 #include <winnow/window/disk.hpp>
+#include <winnow/window/space_time.hpp>
 #include <winnow/window/square.hpp>

@@ -204,7 +204,8 @@ results step_by_step(const Filter& g, inputs in) {
         noisy[name + ".variance"] = noise_of(name);
         image<> mean(s, feature.channels), a(s, feature.channels), b(s, feature.channels);
         const named_layers layers = noisy.layers();
-        g.feature_filter(feature)(filtering(feature, layers), output{mean}.halves(a.view(), b.view()), lanes);
+        g.cleaning().feature_filter(feature)(filtering(feature, layers), output{mean}.halves(a.view(), b.view()),
+                                             lanes);
         guides[name] = mean, guides[name + ".variance"] = squared_difference(a, b, 1);
     });
     // Lines 9 to 14.
@@ -272,13 +273,14 @@ TEST_CASE("RDFC: it is made of the paper's filters") {
     };
     const rdfc g{{.tau = 0.03f, .tau_third = 0.02f}};
     const window::square window{.radius = 10};
+    const window::space_time candidates_window{.radius = 10, .frames = 0};
     const estimator::sure sure;
-    CHECK(g.first() == filter{min(color_weight(0.45f, 1), feature_weight(0.03f)), window, sure});
-    CHECK(g.second() == filter{min(color_weight(0.45f, 3), feature_weight(0.03f)), window, sure});
-    CHECK(g.third() == filter{feature_weight(0.02f), window, sure});
+    CHECK(g.first() == filter{min(color_weight(0.45f, 1), feature_weight(0.03f)), candidates_window, sure});
+    CHECK(g.second() == filter{min(color_weight(0.45f, 3), feature_weight(0.03f)), candidates_window, sure});
+    CHECK(g.third() == filter{feature_weight(0.02f), candidates_window, sure});
     CHECK(g.last() == filter{color_weight(0.45f, 1), window});
     CHECK(g.smoothing(5) == filter{color_weight(1, 1), window::square{.radius = 5}});
-    CHECK(g.feature_filter(depth) ==
+    CHECK(g.cleaning().feature_filter(depth) ==
           filter{exponential(patch(noise_normalized(depth, {.k = 1}), {.radius = 3})), window::square{.radius = 5}});
 }
 

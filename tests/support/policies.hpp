@@ -51,8 +51,8 @@ inline const weights weight_examples{
     gaussian(spatial, 2) * exponential(cross(depth)),
     gaussian(l2(color), 0.5f) * cutoff(spatial, 4)};
 
-using windows = std::tuple<window::square, window::disk>;
-inline constexpr windows window_examples{{.radius = 3}, {.radius = 4}};
+using windows = std::tuple<window::square, window::disk, window::space_time>;
+inline constexpr windows window_examples{{.radius = 3}, {.radius = 4}, {.radius = 2, .frames = 1}};
 
 using estimators = std::tuple<estimator::none, estimator::residual_variance, estimator::sure<>>;
 inline constexpr estimators estimator_examples{};

@@ -58,6 +58,21 @@ inline bool overlap(const source& a, const source& b) {
     return false;
 }
 
+/// Checks the sizes of all that an output asks for, but for its further layers' inputs.
+template <class Reference>
+void check_outputs(const output& out, int channels, extent size, Reference reference) {
+    const auto check = [&](const char* name, const target& to, int needed) {
+        if (to) check_layer(name, source(to), needed, size, reference);
+    };
+    check("the output", out.mean(), channels);
+    check("the output of the first half", out.half_a(), channels);
+    check("the output of the second half", out.half_b(), channels);
+    check("the output of the error", out.error(), channels);
+    check("the output of the derivative", out.derivative(), channels);
+    check("the output of the sum of weights", out.support(), 1);
+    for (const auto& layer : out.layers()) check("the output of a further layer", layer.second, layer.first.channels);
+}
+
 template <class Frame, class G>
 source find_or_fail(const Frame& in, G) {
     const source layer = in.find(G{});
@@ -142,7 +157,7 @@ void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out
         add_values(layer.first, buffers);
     }
     buffers.frames = 1;
-    if constexpr (requires { in.for_each_other(0, [](const auto&) {}); })
+    if constexpr (is_frame_sequence<Frame>)
         in.for_each_other(frames_around(sweep.window), [&](const auto& other) {
             if (!out[0].layers().empty())
                 fail("further layers are those of one frame; the filter's window looks at others too");

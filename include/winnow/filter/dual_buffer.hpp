@@ -38,15 +38,7 @@ struct dual_buffer {
         const source a = detail::find_or_fail(in, first_half(color));
         detail::check_layer(second_half(color), detail::find_or_fail(in, second_half(color)), a.channels, a.size,
                             first_half(color));
-        const auto check = [&](const char* name, const target& to, int channels) {
-            if (to) detail::check_layer(name, to, channels, a.size, first_half(color));
-        };
-        check("the output", out.mean(), a.channels);
-        check("the output of the first half", out.half_a(), a.channels);
-        check("the output of the second half", out.half_b(), a.channels);
-        check("the output of the error", out.error(), a.channels);
-        for (const auto& layer : out.layers())
-            check("the output of a further layer", layer.second, layer.first.channels);
+        detail::check_outputs(out, a.channels, a.size, first_half(color));
         // Two images, each with the colour and all further layers, one plane after another.
         int planes = a.channels;
         for (const auto& layer : out.layers()) planes += layer.first.channels;

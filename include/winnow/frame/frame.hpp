@@ -113,6 +113,11 @@ struct frame_sequence {
     }
 };
 
+template <class Frame>
+inline constexpr bool is_frame_sequence = false;
+template <class Frame>
+inline constexpr bool is_frame_sequence<frame_sequence<Frame>> = true;
+
 /// The frame with one half of the samples as what is filtered and the other half as what guides:
 /// `color` is Guide<color>, its variance that of Guide<color>, and the filter is applied to Value<color>.
 template <class Frame, template <class> class Guide, template <class> class Value>

@@ -48,12 +48,11 @@ struct rdfc_of<planes<Feature...>, Selection> {
         const pass_runner passes(executor, memory);
 
         memory.progress.enter(0, 0.1f);
-        const rdfc_cleaning<Feature...> cleaning{numbers};
-        const auto guides = cleaning(passes, in, images);
+        const auto guides = cleaning()(passes, in, images);
         std::vector<std::remove_const_t<decltype(guides)>> others;
-        if constexpr (is_sequence<Frame>)
+        if constexpr (is_frame_sequence<Frame>)
             in.for_each_other(numbers.frames,
-                              [&](const auto& other) { others.push_back(cleaning(passes, other, images)); });
+                              [&](const auto& other) { others.push_back(cleaning()(passes, other, images)); });
 
         memory.progress.enter(0.1f, 0.8f);
         std::array<candidate_images, 3> candidate{take_candidate(images, out), take_candidate(images, out),
@@ -72,13 +71,13 @@ struct rdfc_of<planes<Feature...>, Selection> {
 
     /// How far from a pixel its result can depend on the input, in pixels.
     friend int halo(const rdfc_of& f) {
-        const int scaling = 11, blur = 3,
-                  features = scaling + halo(rdfc_cleaning<Feature...>{f.numbers}.feature_filter(albedo)) + blur;
+        const int scaling = 11, blur = 3, features = scaling + halo(f.cleaning().feature_filter(albedo)) + blur;
         const int selecting = halo(f.smoothing(f.selection.error_radius)) + halo(f.smoothing(f.selection.map_radius));
         return features + std::max(halo(f.first()), halo(f.second())) + selecting + blur + halo(f.last());
     }
 
     // The filters that it is made of.
+    auto cleaning() const { return rdfc_cleaning<Feature...>{numbers}; }
     auto first() const { return candidate_filter(1); }
     auto second() const { return candidate_filter(3); }
     auto third() const {
@@ -114,19 +113,16 @@ private:
         return channels;
     }
     template <class Frame>
-    static constexpr bool is_sequence = requires(const Frame& in) {
-        in.for_each_other(0, [](const auto&) {});
-    };
-    template <class Frame>
     int scratch_planes(const Frame& in, const output& out) const {
         const int guides = 3 + 2 * features::count, candidate = 3 * 4 + 1 + further_channels(out);
         int frames = 1;
-        if constexpr (is_sequence<Frame>) in.for_each_other(numbers.frames, [&](const auto&) { ++frames; });
+        if constexpr (is_frame_sequence<Frame>) in.for_each_other(numbers.frames, [&](const auto&) { ++frames; });
         return frames * guides + 3 * candidate + 4 + 2 * Selection::statistics + 3;
     }
 
     template <class Frame>
-    static extent check(const Frame& in, const output& out, const target& selected) {
+    extent check(const Frame& in, const output& out, const target& selected) const {
+        numbers.check();
         const source main = detail::find_or_fail(in, color);
         if (main.size.width < 1 || main.size.height < 1)
             fail("color is " + to_string(main.size) + ": there is nothing to filter");
@@ -144,27 +140,17 @@ private:
         if (!in.find(first_half(color)) || !in.find(second_half(color)))
             fail("rdfc needs " + first_half(color).name() + " and " + second_half(color).name() +
                  "; render the frame twice with other seeds, or split its samples by parity");
-        const auto check_target = [&](const char* name, const target& to, int channels) {
-            if (to) detail::check_layer(name, source(to), channels, main.size, color);
-        };
-        check_target("the output", out.mean(), 3);
-        check_target("the output of the first half", out.half_a(), 3);
-        check_target("the output of the second half", out.half_b(), 3);
-        check_target("the output of the error", out.error(), 3);
-        check_target("the output of the derivative", out.derivative(), 3);
-        check_target("the output of the sum of weights", out.support(), 1);
-        check_target("the output of the selection", selected, 3);
-        for (const auto& layer : out.layers()) {
+        detail::check_outputs(out, 3, main.size, color);
+        if (selected) detail::check_layer("the output of the selection", source(selected), 3, main.size, color);
+        for (const auto& layer : out.layers())
             detail::check_layer("a further layer", layer.first, layer.first.channels, main.size, color);
-            check_target("the output of a further layer", layer.second, layer.first.channels);
-        }
         return main.size;
     }
 
     /// The clean frame, or it and those around it.
     template <class Frame, class Guides>
     auto around([[maybe_unused]] const Frame& in, const Guides& guides, std::span<const Guides> others) const {
-        if constexpr (is_sequence<Frame>) {
+        if constexpr (is_frame_sequence<Frame>) {
             const std::size_t before = std::min(in.before.size(), static_cast<std::size_t>(numbers.frames));
             return frame_sequence<Guides>{guides, others.first(before), others.subspan(before)};
         } else {

@@ -57,6 +57,13 @@ struct rdfc_numbers {
     int feature_radius = 5;    ///< of the window of the feature prefilter, in pixels
     float half_share = 0.25f;  ///< how much of (A - B)^2 is the variance of the mean: see share_of_halves
     float feature_share = 1;   ///< the same, of a filtered feature; by the paper's words, all of it
+
+    void check() const {
+        for (const float share : {half_share, feature_share})
+            if (!(share >= 0 && share <= 4))
+                fail("rdfc: half_share and feature_share are " + std::to_string(half_share) + " and " +
+                     std::to_string(feature_share) + ", they must be between 0 and 4");
+    }
 };
 
 }  // namespace winnow::paper
