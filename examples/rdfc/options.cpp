@@ -58,9 +58,11 @@ std::optional<options> parse(int argc, const char* const* argv) {
     app.add_option("--size", size, "WIDTHxHEIGHT (default: 256x192)");
     app.add_option("--frame", o.what.frame, "Number of the frame, of scenes that show frames")->capture_default_str();
     app.add_flag("--adaptive", o.adaptive, "Samples where the filter expects most of it");
-    app.add_option("--iterations", o.iterations, "Of --adaptive, in equal shares of the samples; the first is uniform")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    app.add_option(
+           "--iterations", o.iterations,
+           "Of --adaptive, in equal shares of the samples; the first is uniform (default: as many as have four\n"
+           "samples per pixel each, from 2 to 4)")
+        ->check(CLI::Range(1, 1000));
     app.add_option("--features", o.how.features,
                    "a,b of albedo, normal, depth, visibility, caustic (default: all that the scene gives), or brdf in\n"
                    "place of albedo")

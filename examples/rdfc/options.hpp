@@ -16,7 +16,7 @@ struct options {
     reading how;
     settings filter;
     bool adaptive = false;
-    int iterations = 4;
+    int iterations = 0;                   ///< 0: as many as have four samples per pixel each, from 2 to 4
     std::vector<std::string> references;  ///< one or two renders to measure against
     int reference_samples = 0;            ///< per pixel, of two references that are rendered; 0: none are
     bool json = false;

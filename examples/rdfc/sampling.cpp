@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "sampling.hpp"
 
+#include <algorithm>
+
 namespace rdfc {
 
 using namespace winnow;
 
 sample_iterations iterations_of(const simulator::job& job, int iterations) {
+    // From two samples in a pixel an error cannot be told.
+    if (iterations == 0) iterations = std::clamp(job.settings.samples / 4, 2, 4);
     const sample_iterations plan{
         .size = job.size, .budget = job.size.pixels() * job.settings.samples, .iterations = iterations};
     if (iterations > 1 && job.settings.samples < 2 * iterations)

@@ -76,7 +76,7 @@ public:
     template <class Frame>
     definition(const Filter& f, const Frame& in) : sweep_(f.as_sweep()) {
         const output nothing;
-        detail::bind_sweep<sweep_type>(in, std::span(&nothing, 1), buffers_);
+        detail::bind_sweep(sweep_, in, std::span(&nothing, 1), buffers_);
         const extent size = buffers_.size;
         const rectangle region = rectangle{0, 0, size.width, size.height}.grown(margin(sweep_, size));
         const std::ptrdiff_t plane = region.size().width;

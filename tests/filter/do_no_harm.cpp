@@ -35,7 +35,9 @@ triple boxed(const triple& in) {
     for (auto pair : {std::pair{&in.mean, &t.mean}, {&in.a, &t.a}, {&in.b, &t.b}})
         for (int c = 0; c < 3; ++c) {
             const source from = source(pair.first->view()).channel(c);
-            detail::box_mean([&](int x, int y) { return from.at(x, y); }, target(pair.second->view()).channel(c), 2);
+            std::vector<float> rows;
+            detail::box_mean([&](int x, int y) { return from.at(x, y); }, target(pair.second->view()).channel(c), 2,
+                             rows);
         }
     return t;
 }

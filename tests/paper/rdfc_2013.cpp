@@ -49,9 +49,9 @@ struct inputs {
 };
 
 /// Structure with Gaussian noise: much in the colour, little in the features.  Means are those of the halves.
-inputs make_inputs(extent size) {
+inputs make_inputs(extent size, std::uint64_t seed = 0) {
     inputs in;
-    std::uint64_t stream = 500;
+    std::uint64_t stream = 500 + 1000 * seed;
     const auto add = [&](const std::string& name, int channels, double scale, double noise) {
         stream += 10;
         const auto variance = [=](int x, int y, int c) {
@@ -785,4 +785,39 @@ TEST_CASE("RDFC: numbers out of range are refused before anything is written") {
     refused(with([](rdfc& g) { g.numbers.feature_radius = -1; }));
     refused(with([](rdfc& g) { g.selection.error_radius = -1; }));
     refused(with([](rdfc& g) { g.selection.map_radius = -1; }));
+}
+
+TEST_CASE("RDFC: frames around that show the same take away noise, and a sequence is only looked at if asked for") {
+    // The same still picture three times, with noise of its own in each.
+    std::vector<inputs> renders;
+    for (std::uint64_t seed = 0; seed < 3; ++seed) renders.push_back(make_inputs(size, seed));
+    std::vector<named_layers> frames;
+    for (const inputs& in : renders) frames.push_back(in.layers());
+    const frame_sequence<named_layers> in{frames[1], std::span(frames).first(1), std::span(frames).last(1)};
+    const executor::openmp lanes{.threads = 2};
+
+    image<> still(size, 3), alone(size, 3), several(size, 3);
+    f(frames[1], output(still), lanes);
+    f(in, output(alone), lanes);
+    CHECK(other_bits(alone, still) == "");
+    rdfc around = f;
+    around.numbers.frames = 1;
+    around(in, output(several), lanes);
+    const auto error = [&](const image<>& found) {
+        double sum = 0;
+        for (int c = 0; c < 3; ++c)
+            for (int y = 0; y < size.height; ++y)
+                for (int x = 0; x < size.width; ++x) {
+                    const double apart = found.at(x, y, c) - structure(2 * x, 2 * y, c);
+                    sum += apart * apart;
+                }
+        return sum;
+    };
+    CHECK(error(several) < 0.8 * error(still));
+
+    // A frame of another size is told before any work.
+    frames[2].bind("albedo", image_view<const float>(several.view()).crop({0, 0, 5, 5}));
+    image<> untouched(size, 3);
+    CHECK_THROWS_WITH(around(in, output(untouched), lanes), Catch::Contains("albedo is 5x5"));
+    CHECK(largest_magnitude(untouched) == 0);
 }

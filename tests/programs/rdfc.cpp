@@ -89,7 +89,7 @@ TEST_CASE("rdfc: bad usage is told in one line, and nothing is written") {
     CHECK(refusal("--scene cars --size 12" + to) == "rdfc: --size 12: expected WIDTHxHEIGHT\n");
     CHECK(refusal("--scene cars --spp 1" + to) ==
           "rdfc: --spp 1: there must be at least two samples, one for each half\n");
-    CHECK(refusal("--scene cars --spp 7 --adaptive" + to) ==
+    CHECK(refusal("--scene cars --spp 7 --iterations 4 --adaptive" + to) ==
           "rdfc: --spp 7 in 4 iterations: there must be at least two in each\n");
     CHECK(refusal("--scene cars --reference a.exr --reference-spp 8" + to) ==
           "rdfc: --reference and --reference-spp both say what is measured against\n");

@@ -44,7 +44,7 @@ struct rdfc_of<planes<Feature...>, Selection> {
     void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory,
                     const target& selected = {}) const {
         const extent size = check(in, out, selected);
-        scratch_images images(memory, size, scratch_planes(in, out));
+        scratch_images images(memory, size, scratch_planes(frames_around(in), further_channels(out)));
         const pass_runner passes(executor, memory);
 
         memory.progress.enter(0, 0.1f);
@@ -94,6 +94,12 @@ struct rdfc_of<planes<Feature...>, Selection> {
             {.radius = numbers.radius, .patch_radius = 1, .k = numbers.k_color, .epsilon = numbers.epsilon});
     }
 
+    /// Planes of the workspace that a run takes.
+    static int scratch_planes(int frames, int further) {
+        const int guides = 3 + 2 * features::count, candidate = 3 * 4 + 1 + further;
+        return (1 + frames) * guides + 3 * candidate + 4 + 2 * Selection::statistics + 3;
+    }
+
 private:
     /// What one candidate leaves; `further` are the further layers, side by side.
     struct candidate_images {
@@ -113,38 +119,25 @@ private:
         return channels;
     }
     template <class Frame>
-    int scratch_planes(const Frame& in, const output& out) const {
-        const int guides = 3 + 2 * features::count, candidate = 3 * 4 + 1 + further_channels(out);
-        int frames = 1;
-        if constexpr (is_frame_sequence<Frame>) in.for_each_other(numbers.frames, [&](const auto&) { ++frames; });
-        return frames * guides + 3 * candidate + 4 + 2 * Selection::statistics + 3;
+    int frames_around([[maybe_unused]] const Frame& in) const {
+        int count = 0;
+        if constexpr (is_frame_sequence<Frame>) in.for_each_other(numbers.frames, [&](const auto&) { ++count; });
+        return count;
     }
 
     template <class Frame>
     extent check(const Frame& in, const output& out, const target& selected) const {
-        numbers.check();
-        const source main = detail::find_or_fail(in, color);
-        if (main.size.width < 1 || main.size.height < 1)
-            fail("color is " + to_string(main.size) + ": there is nothing to filter");
-        const auto check_layer = [&](auto guide, const source& layer) {
-            if (layer) detail::check_layer(guide, layer, guide.channels, main.size, color);
-        };
-        const auto check_guide = [&](auto g) {
-            check_layer(g, detail::find_or_fail(in, g));
-            check_layer(variance(g), in.find(variance(g)));
-            check_layer(first_half(g), in.find(first_half(g)));
-            check_layer(second_half(g), in.find(second_half(g)));
-        };
-        check_guide(color);
-        (check_guide(Feature{}), ...);
-        if (!in.find(first_half(color)) || !in.find(second_half(color)))
-            fail("rdfc needs " + first_half(color).name() + " and " + second_half(color).name() +
-                 "; render the frame twice with other seeds, or split its samples by parity");
-        detail::check_outputs(out, 3, main.size, color);
-        if (selected) detail::check_layer("the output of the selection", source(selected), 3, main.size, color);
+        const extent size = cleaning().check(in);
+        if constexpr (is_frame_sequence<Frame>)
+            in.for_each_other(numbers.frames, [&](const auto& other) {
+                if (const extent found = cleaning().check(other); found != size)
+                    fail("a frame of the sequence is " + to_string(found) + ", another is " + to_string(size));
+            });
+        detail::check_outputs(out, 3, size, color);
+        if (selected) detail::check_layer("the output of the selection", source(selected), 3, size, color);
         for (const auto& layer : out.layers())
-            detail::check_layer("a further layer", layer.first, layer.first.channels, main.size, color);
-        return main.size;
+            detail::check_layer("a further layer", layer.first, layer.first.channels, size, color);
+        return size;
     }
 
     /// The clean frame, or it and those around it.
@@ -288,6 +281,18 @@ private:
                pass, passes.executor(), passes.memory());
     }
 };
+
+/// What a run over an image of this size will take; `further` counts the planes of further layers, `frames` those
+/// around that a sequence has.
+template <class Features, class Selection, executor_policy Executor>
+run_plan plan(const rdfc_of<Features, Selection>& f, extent size, const Executor& executor, int further = 0,
+              int frames = 0) {
+    run_plan p = plan(candidates{f.first(), f.second(), f.third()}, size, executor, 9 + further);
+    p.image_bytes = scratch_images::bytes(size, f.scratch_planes(frames, further));
+    p.passes = 4 + 2 * rdfc_of<Features, Selection>::features::count;
+    p.halo = halo(f);
+    return p;
+}
 
 /// The features that renderers have, and the direct visibility of the lights that the paper introduces.
 using rdfc = rdfc_of<planes<albedo_t, normal_t, depth_t, visibility_t>>;

@@ -37,6 +37,30 @@ struct rdfc_cleaning {
         (std::index_sequence_for<Feature...>{});
     }
 
+    /// Checks numbers and frame; gives the size of the frame.
+    template <class Frame>
+    extent check(const Frame& in) const {
+        numbers.check();
+        const source main = detail::find_or_fail(in, color);
+        if (main.size.width < 1 || main.size.height < 1)
+            fail("color is " + to_string(main.size) + ": there is nothing to filter");
+        const auto check_guide = [&](auto g) {
+            const auto check_one = [&](auto one, const source& layer) {
+                if (layer) detail::check_layer(one, layer, one.channels, main.size, color);
+            };
+            check_one(g, detail::find_or_fail(in, g));
+            check_one(variance(g), in.find(variance(g)));
+            check_one(first_half(g), in.find(first_half(g)));
+            check_one(second_half(g), in.find(second_half(g)));
+        };
+        check_guide(color);
+        (check_guide(Feature{}), ...);
+        if (!in.find(first_half(color)) || !in.find(second_half(color)))
+            fail("rdfc needs " + first_half(color).name() + " and " + second_half(color).name() +
+                 "; render the frame twice with other seeds, or split its samples by parity");
+        return main.size;
+    }
+
 private:
     struct cleaned_feature {
         source mean, variance;
