@@ -17,7 +17,7 @@ TEST_CASE("checkers, stripes and spokes alternate, on both sides of zero") {
     CHECK(spoke({1, 0.01}, 4) == spoke({-1, -0.01}, 4));
 }
 
-TEST_CASE("noise is continuous, in [0, 1), and varies over a distance of one") {
+TEST_CASE("noise is continuous, from 0 to below 1, and varies over a distance of one") {
     winnow::test::statistic values;
     for (int i = 0; i < 3000; ++i) {
         const vec3 p(0.37 * i - 500, -0.73 * i, 0.11 * i);

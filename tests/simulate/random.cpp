@@ -53,7 +53,7 @@ TEST_CASE("any first 2^k samples of a half have one point in each elementary int
             }
 }
 
-TEST_CASE("numbers are even over [0, 1) and unrelated across dimensions, pixels, halves, seeds and frames") {
+TEST_CASE("numbers are even from 0 to 1 and unrelated across dimensions, pixels, halves, seeds and frames") {
     for (const pattern p : {pattern::stratified, pattern::independent}) {
         statistic mean, square, axes, vertices, pixels, halves, seeds, frames;
         for (int y = 0; y < 200; ++y)

@@ -69,14 +69,20 @@ WINNOW_HD Real square(Real x) {
     return x * x;
 }
 
+/// A number that the compiler knows, passed as an argument.
+template <int I>
+struct index {
+    WINNOW_HD constexpr operator int() const { return I; }
+};
+
 namespace detail {
 template <class F, int... I>
 WINNOW_HD void for_each(const F& f, std::integer_sequence<int, I...>) {
-    (f(std::integral_constant<int, I>{}), ...);
+    (f(index<I>{}), ...);
 }
 template <class F, int... I>
 WINNOW_HD auto sum_over(const F& f, std::integer_sequence<int, I...>) {
-    return (... + f(std::integral_constant<int, I>{}));
+    return (... + f(index<I>{}));
 }
 }  // namespace detail
 

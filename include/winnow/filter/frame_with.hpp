@@ -28,6 +28,12 @@ constexpr auto first_missing(planes<First, G...>) {
     else return first_missing<Frame>(planes<G...>{});
 }
 
+/// Every frame has what an empty list asks for.
+template <class Frame>
+constexpr planes<> first_missing(planes<>) {
+    return {};
+}
+
 /// Executors derive gradients from their buffers: no frame has them.
 template <class... G>
 constexpr auto without_gradients(planes<G...>) {
@@ -44,10 +50,21 @@ concept has_layer = Frame::has(G{});
 template <class Frame, class Reads>
 concept frame_with = has_layer<Frame, decltype(detail::first_missing<Frame>(detail::without_gradients(Reads{})))>;
 
-/// The frame has what is filtered and every buffer in the list Reads.  An empty frame is enough for a filter that reads
-/// nothing and is applied to further layers alone.
+namespace detail {
+/// What a filter that reads these needs of a frame.  Of an empty one nothing, if it reads nothing: it may be applied to
+/// further layers alone.
 template <class Frame, class Reads>
-concept frame_to_filter = frame_with<Frame, joined<planes<detail::filtered_of<Frame>>, Reads>> ||
-    (std::is_same_v<Frame, frame<>>&& Reads::count == 0);
+struct needed {
+    using type = joined<planes<filtered_of<Frame>>, Reads>;
+};
+template <>
+struct needed<frame<>, planes<>> {
+    using type = planes<>;
+};
+}  // namespace detail
+
+/// The frame has what is filtered and every buffer in the list Reads.
+template <class Frame, class Reads>
+concept frame_to_filter = frame_with<Frame, typename detail::needed<Frame, Reads>::type>;
 
 }  // namespace winnow

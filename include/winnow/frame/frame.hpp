@@ -23,6 +23,7 @@ public:
     static constexpr bool has(H) {
         return (std::is_same_v<H, G> || ...);
     }
+    static constexpr bool has(planes<>) { return true; }
     template <guide H>
     source find(H) const {
         if constexpr (has(H{})) return std::get<bound<H>>(layers_).layer;
