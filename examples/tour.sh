@@ -14,7 +14,7 @@ data=examples/data
 mkdir -p out
 
 # A bilateral filter of radius 0 changes nothing: it makes a picture of a file.
-picture() { "$denoise" --filter bilateral --set radius=0 "${@:2}" -o "out/$1.png" >/dev/null; }
+picture() { "$denoise" --filter bilateral --set radius=0 --outliers off "${@:2}" -o "out/$1.png" >/dev/null; }
 # The number at a path of the JSON that denoise prints:  value metrics.input relmse
 value() { tr -d ' \n{' <<<"$json" | sed "s/.*\"$1\":\([^}]*\).*/\1/; s/.*\"$2\":\([^,]*\).*/\1/"; }
 

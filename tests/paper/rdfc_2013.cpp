@@ -821,3 +821,15 @@ TEST_CASE("RDFC: frames around that show the same take away noise, and a sequenc
     CHECK_THROWS_WITH(around(in, output(untouched), lanes), Catch::Contains("albedo is 5x5"));
     CHECK(largest_magnitude(untouched) == 0);
 }
+
+TEST_CASE("RDFC: the released numbers make the filters that they name") {
+    const rdfc released{paper::rdfc_numbers_as_released()};
+    CHECK(released.first() == rdfc{{.tau = 1e-3f}}.first());
+    CHECK(released.third() == rdfc{{.tau_third = 1e-4f}}.third());
+    CHECK(released.smoothing(5) ==
+          filter{exponential(patch(noise_normalized(color, {.k = 1}), {.radius = 3})), window::square{.radius = 5}});
+    CHECK(released.last() == paper::make_nlm({.radius = 5, .patch_radius = 3}));
+    CHECK(released.cleaning().numbers.feature_share == 0.25f);
+    const inputs in = make_inputs(size);
+    CHECK(all_of(released, in).not_finite() == "");
+}

@@ -87,11 +87,11 @@ struct rdfc_of<planes<Feature...>, Selection> {
     }
     /// Of error maps and selection maps.
     auto smoothing(int radius) const {
-        return filter{rdfc_color_weight(1, 1, numbers.epsilon), window::square{.radius = radius}};
+        return filter{rdfc_color_weight(1, numbers.smoothing_patch, numbers.epsilon), window::square{.radius = radius}};
     }
     auto last() const {
-        return make_nlm(
-            {.radius = numbers.radius, .patch_radius = 1, .k = numbers.k_color, .epsilon = numbers.epsilon});
+        const int radius = static_cast<int>(static_cast<float>(numbers.radius) * numbers.last_share);
+        return make_nlm({radius, numbers.last_patch, numbers.k_color, numbers.epsilon});
     }
 
     /// Planes of the workspace that a run takes.

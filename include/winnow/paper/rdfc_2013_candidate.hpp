@@ -57,13 +57,33 @@ struct rdfc_numbers {
     int feature_radius = 5;    ///< of the window of the feature prefilter, in pixels
     float half_share = 0.25f;  ///< how much of (A - B)^2 is the variance of the mean: see share_of_halves
     float feature_share = 1;   ///< the same, of a filtered feature; by the paper's words, all of it
+    int smoothing_patch = 1;   ///< patch radius of the weights that smooth errors and selection maps, in pixels
+    int last_patch = 1;        ///< patch radius of the second pass, in pixels
+    float last_share = 1;      ///< radius of its window over that of the candidates
 
     void check() const {
         for (const float share : {half_share, feature_share})
             if (!(share >= 0 && share <= 4))
                 fail("rdfc: half_share and feature_share are " + std::to_string(half_share) + " and " +
                      std::to_string(feature_share) + ", they must be between 0 and 4");
+        if (!(last_share >= 0 && last_share <= 1))
+            fail("rdfc: last_share is " + std::to_string(last_share) + ", it must be between 0 and 1");
     }
 };
+
+/// The numbers of the code that its authors released, where they differ from the paper's words.  Of that code's ways
+/// these are not here: borders by mirroring, weights averaged over patches, a centre as heavy as the heaviest
+/// neighbour, a guess from pairs of opposite neighbours, features in the second pass, finite differences for the
+/// derivative.
+constexpr rdfc_numbers rdfc_numbers_as_released() {
+    rdfc_numbers n;
+    n.tau = 1e-3f;
+    n.tau_third = 1e-4f;
+    n.feature_share = 0.25f;
+    n.smoothing_patch = 3;
+    n.last_patch = 3;
+    n.last_share = 0.5f;
+    return n;
+}
 
 }  // namespace winnow::paper
