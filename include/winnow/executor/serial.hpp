@@ -44,7 +44,7 @@ struct pixel_major {
                 for (int x = tile.x0; x < tile.x1; ++x)
                     filter_pixel(sweep, weight, buffers, staged, x, y,
                                  results + results_of<Sweep>(buffers) * (x - tile.x0));
-                write_row(buffers, sweep.estimator, index, tile, y,
+                write_row(buffers, sweep.estimator, weight, index, tile, y,
                           row<Sweep>{staged, results, results_of<Sweep>(buffers), values, tile.x0, y});
             }
             ++index;
@@ -56,10 +56,10 @@ private:
     template <class Sweep>
     static constexpr int channels = detail::channels_of<varied_in<Sweep>>;
 
-    /// Of one pixel: the filtered values, the sum of weights, the derivatives.
+    /// Of one pixel: the filtered values, the sum of weights, the derivatives, the estimator's sums.
     template <class Sweep>
     static int results_of(const sweep_buffers& buffers) {
-        return static_cast<int>(buffers.values.size()) + 1 + channels<Sweep>;
+        return static_cast<int>(buffers.values.size()) + 1 + channels<Sweep> + sums_in<Sweep>;
     }
 
     template <class Sweep>
@@ -72,6 +72,10 @@ private:
         float filtered(int v, int x) const { return at(v, x); }
         float support(int x) const { return at(values, x); }
         float derivative(int c, int x) const { return at(values + 1 + c, x); }
+        float sum(int k, int x) const { return at(values + 1 + channels<Sweep> + k, x); }
+        auto pixel(int x) const {
+            return pixel_pair<float, typename Sweep::reads>(staged.at(0, x, y), staged.at(0, x, y), staged.step, 0, 0);
+        }
         float input(int v, int x) const { return *staged.at(1 + Sweep::reads::count + v, x, y); }
         float variance(int c, int x) const {
             return *staged.at(1 + slot_of<variance_of<varied_in<Sweep>>>(typename Sweep::reads{}) + c, x, y);
@@ -85,7 +89,8 @@ private:
         const int values = static_cast<int>(buffers.values.size());
         const auto value = [&](int v, int i, int j) { return Real(*staged.at(1 + Sweep::reads::count + v, i, j)); };
         Real total = 0, own = 0, slopes[channels<Sweep> + 1] = {}, slopes_of_sums[channels<Sweep> + 1] = {};
-        std::fill(results, results + values, Real(0));
+        Real* const own_sums = results + values + 1 + channels<Sweep>;
+        std::fill(results, results + results_of<Sweep>(buffers), Real(0));
         const auto add = [&](int f, int dx, int dy) {
             const int frame = f * planes_of_frame<Sweep>(buffers);
             const float* q = staged.at(frame, x + dx, y + dy);
@@ -111,6 +116,11 @@ private:
             if (own_pixel) own = w;
             total += w;
             for (int v = 0; v < values; ++v) results[v] += w * of_q(v);
+            if constexpr (sums_in < Sweep >> 0) {
+                Real terms[sums_in<Sweep>];
+                sweep.estimator.terms(of(std::type_identity<Real>{}), terms);
+                for (int k = 0; k < sums_in<Sweep>; ++k) own_sums[k] += w * terms[k];
+            }
         };
         const int reach = window_reach(sweep, buffers.size);
         for (int f = 0; f < buffers.frames; ++f)

@@ -58,7 +58,7 @@ struct offset_major {
                     ahead.start(tile, offsets, memory.patches);
                     for (int y = tile.y0; y < tile.y1; ++y) {
                         ahead.row(staged, tile, offsets, y, memory.patches);
-                        accumulate<Sweep>(shared, values, memory, staged, tile, offsets, y, ahead);
+                        accumulate(sweep, shared, values, memory, staged, tile, offsets, y, ahead);
                     }
                 }
             }
@@ -125,16 +125,16 @@ private:
     static constexpr bool varies =
         detail::varies_with<std::tuple_element_t<K, decltype(Sweep::weights)>, varied_in<Sweep>>;
     /// The sums of one weight: w, then w u of each value, then, where derivatives are wanted, dw and dw u + w(p,p) of
-    /// each channel.
+    /// each channel, then those of the estimator.
     template <class Sweep>
     static int sums_of_weight(int values) {
-        return 1 + values + 2 * detail::channels_of<varied_in<Sweep>>;
+        return 1 + values + 2 * detail::channels_of<varied_in<Sweep>> + sums_in<Sweep>;
     }
 
     /// Adds the neighbours at the offsets to the sums of row y.
     template <class Sweep, class Shared, class Ahead>
-    static void accumulate(const Shared& shared, int values, const parts& memory, const staged_tile& staged,
-                           rectangle tile, offset_group offsets, int y, const Ahead& ahead) {
+    static void accumulate(const Sweep& sweep, const Shared& shared, int values, const parts& memory,
+                           const staged_tile& staged, rectangle tile, offset_group offsets, int y, const Ahead& ahead) {
         using reads = typename Sweep::reads;
         using varied = varied_in<Sweep>;
         constexpr int channels = detail::channels_of<varied>;
@@ -178,11 +178,28 @@ private:
             });
 
             const float* const value = q + (1 + reads::count) * plane;
-            add(w, q, sums, 0);  // the coverage: only neighbours that exist count
-            for (int v = 0; v < values; ++v) add(w, value + v * plane, sums, (1 + v) * next);
+            const auto add_plane = [&](const auto& weights, const float* u, std::ptrdiff_t to) WINNOW_HD_LAMBDA {
+                add(
+                    weights, [&](int i) WINNOW_HD_LAMBDA { return lanes::load(u + i); }, sums, to * next);
+            };
+            add_plane(w, q, 0);  // the coverage: only neighbours that exist count
+            for (int v = 0; v < values; ++v) add_plane(w, value + v * plane, 1 + v);
             for (int c = 0; c < channels; ++c) {
-                add(dw[c], q, sums, (1 + values + 2 * c) * next);
-                add(dw[c], value + c * plane, sums, (2 + values + 2 * c) * next);
+                add_plane(dw[c], q, 1 + values + 2 * c);
+                add_plane(dw[c], value + c * plane, 2 + values + 2 * c);
+            }
+            if constexpr (sums_in < Sweep >> 0) {
+                lanes terms[sums_in<Sweep>][group];
+                for (int i = 0; i < group; ++i) {
+                    lanes of_pair[sums_in<Sweep>];
+                    sweep.estimator.terms(pair(std::type_identity<lanes>{}, i), of_pair);
+                    const lanes covered = lanes::load(q + i);
+                    for (int k = 0; k < sums_in<Sweep>; ++k) terms[k][i] = of_pair[k] * covered;
+                }
+                for (int k = 0; k < sums_in<Sweep>; ++k)
+                    add(
+                        w, [&](int i) WINNOW_HD_LAMBDA { return terms[k][i]; }, sums,
+                        (1 + values + 2 * channels + k) * next);
             }
             if constexpr (channels > 0)
                 if (centre >= 0)
@@ -194,14 +211,14 @@ private:
         }
     }
 
-    /// Of each weight k:  sums[k] += w[k][0] u[0] + w[k][1] u[1] + ..., a whole group.
-    template <int Weights>
-    WINNOW_HD static void add(const lanes (&w)[Weights][group], const float* u, float* const (&sums)[Weights],
+    /// Of each weight k:  sums[k] += w[k][0] u(0) + w[k][1] u(1) + ..., a whole group.
+    template <int Weights, class Value>
+    WINNOW_HD static void add(const lanes (&w)[Weights][group], const Value& u, float* const (&sums)[Weights],
                               std::ptrdiff_t plane) {
         lanes s[Weights];
         for (int k = 0; k < Weights; ++k) s[k] = lanes::load(sums[k] + plane);
         for (int i = 0; i < group; ++i) {
-            const lanes x = lanes::load(u + i);
+            const lanes x = u(i);
             for (int k = 0; k < Weights; ++k) s[k] = lanes::fma(w[k][i], x, s[k]);
         }
         for (int k = 0; k < Weights; ++k) s[k].store(sums[k] + plane);
@@ -215,16 +232,20 @@ private:
         std::ptrdiff_t next;
         int values, x0, y;
 
-        float sum(int plane, int x) const { return sums[plane * next + x - x0]; }
-        float support(int x) const { return sum(0, x); }
+        float at(int plane, int x) const { return sums[plane * next + x - x0]; }
+        float sum(int k, int x) const { return at(1 + values + 2 * detail::channels_of<varied_in<Sweep>> + k, x); }
+        auto pixel(int x) const {
+            return pixel_pair<float, typename Sweep::reads>(staged.at(0, x, y), staged.at(0, x, y), staged.step, 0, 0);
+        }
+        float support(int x) const { return at(0, x); }
         float filtered(int v, int x) const {
             const float total = support(x);
-            return total > no_weight ? sum(1 + v, x) / total : input(v, x);
+            return total > no_weight ? at(1 + v, x) / total : input(v, x);
         }
         float derivative(int c, int x) const {
             const float total = support(x);
             if (!(total > no_weight)) return 1;
-            return (sum(2 + values + 2 * c, x) - filtered(c, x) * sum(1 + values + 2 * c, x)) / total;
+            return (at(2 + values + 2 * c, x) - filtered(c, x) * at(1 + values + 2 * c, x)) / total;
         }
         float input(int v, int x) const { return *staged.at(1 + Sweep::reads::count + v, x, y); }
         float variance(int c, int x) const {
@@ -237,9 +258,9 @@ private:
                        rectangle tile) {
         const int values = static_cast<int>(buffers.values.size());
         const std::ptrdiff_t next = std::ptrdiff_t{memory.tile.width} * memory.tile.height;
-        detail::for_each_node(sweep.weights, [&](const auto&, auto k) {
+        detail::for_each_node(sweep.weights, [&](const auto& weight, auto k) {
             for (int y = tile.y0; y < tile.y1; ++y)
-                write_row(buffers, sweep.estimator, k, tile, y,
+                write_row(buffers, sweep.estimator, weight, k, tile, y,
                           row<Sweep>{staged,
                                      memory.sums + k * sums_of_weight<Sweep>(values) * next +
                                          (y - tile.y0) * std::ptrdiff_t{memory.tile.width},

@@ -4,7 +4,6 @@
 /// Staging: one tile of the frame, with its halo, as float planes in the executor's own memory.  Whatever the caller's
 /// buffers are like (half, interleaved, bad pixels, a border nearby), a policy meets only such planes.
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <winnow/executor/sweep.hpp>
 #include <winnow/frame/pixel_pair.hpp>
@@ -50,16 +49,7 @@ inline void stage_plane(const source& from, const staged_tile& tile, int plane, 
             std::fill(row + tile.region.x0, row + tile.region.x1, 0.0f);
             continue;
         }
-        if (from.type == scalar::float32 && from.step.pixel == sizeof(float))
-            std::memcpy(row + inside0, from.data + from_y * from.step.row + inside0 * from.step.pixel,
-                        sizeof(float) * static_cast<std::size_t>(inside1 - inside0));
-        else
-            for (int x = inside0; x < inside1; ++x) row[x] = from.at(x, from_y);
-        bool clean = true;
-        for (int x = inside0; x < inside1; ++x) clean &= is_finite(row[x]);
-        if (!clean)
-            for (int x = inside0; x < inside1; ++x)
-                if (!is_finite(row[x])) row[x] = contained(from, x, from_y);
+        contained_row(from, from_y, inside0, inside1, row + inside0);
         for (int x = inside0; x < inside1; ++x) row[x] = range(row[x]);
         const auto outside = [&](int x) {
             const int from_x = resolve(rule, x, width);

@@ -92,6 +92,12 @@ inline constexpr bool varies_with = contains<G, typename Node::reads>;
 template <class Node>
 inline constexpr bool varies_with<Node, void> = false;
 
+/// The number of an estimator's own sums over the neighbours.
+template <class Estimator>
+inline constexpr int sums_of = 0;
+template <class Estimator>
+requires(Estimator::sums > 0) inline constexpr int sums_of<Estimator> = Estimator::sums;
+
 template <class G>
 inline constexpr int channels_of = G::channels;
 template <>
@@ -101,6 +107,10 @@ inline constexpr int channels_of<void> = 0;
 /// The buffer with respect to which a sweep needs derivatives, or void.
 template <class Sweep>
 using varied_in = typename detail::varied_by<decltype(Sweep::estimator)>::type;
+
+/// The number of sums that its estimator has of its own.
+template <class Sweep>
+inline constexpr int sums_in = detail::sums_of<std::remove_const_t<decltype(Sweep::estimator)>>;
 
 /// The window's reach and half width as far as an image of this size can feel them: clipped offsets add nothing.
 template <class Sweep>

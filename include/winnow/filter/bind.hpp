@@ -118,6 +118,7 @@ void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out
     const auto add_values = [&](const source& layer, frame_planes& to) {
         for (int c = 0; c < layer.channels; ++c) to.values.push_back(layer.channel(c));
     };
+    constexpr bool sums = sums_in < Sweep >> 0;
     bool estimates = false;
     buffers.mean = buffers.halves = false;
     for (const output& o : out) {
@@ -129,7 +130,7 @@ void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out
                 "filter.with(estimator::residual_variance{}) or filter.with(estimator::sure{})");
         if (o.derivative() && !estimator::needs_derivative)
             fail("a derivative is asked for, but the filter's estimator has none; use filter.with(estimator::sure{})");
-        estimates = estimates || o.error() || o.derivative();
+        estimates = estimates || (!sums && o.error()) || o.derivative();
         if (o.layers().size() != out[0].layers().size()) fail("the outputs do not ask for the same further layers");
     }
     buffers.halves = buffers.halves || (estimates && estimator::needs_halves);
@@ -191,7 +192,7 @@ void bind_sweep(const Sweep& sweep, const Frame& in, std::span<const output> out
                 fail("the outputs do not ask for the same further layers");
             add(buffers.results, o.layers()[i].second, o.layers()[i].first.channels, "the output of a further layer");
         }
-        add(buffers.errors, o.error(), buffers.channels, "the output of the error");
+        add(buffers.errors, o.error(), sums ? 1 : buffers.channels, "the output of the error");
         add(buffers.derivatives, o.derivative(), buffers.channels, "the output of the derivative");
         add(buffers.supports, o.support(), 1, "the output of the sum of weights");
     }

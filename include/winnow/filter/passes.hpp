@@ -4,9 +4,8 @@
 /// What a filter of several passes needs between them: images that live in the workspace, and simple work on all their
 /// pixels, by the executor that runs the passes.
 #include <cmath>
-#include <winnow/distance/spatial.hpp>
 #include <winnow/filter/filter.hpp>
-#include <winnow/weight/gaussian.hpp>
+#include <winnow/filter/gaussian_blur.hpp>
 
 namespace winnow {
 
@@ -30,16 +29,6 @@ private:
     extent size_;
 };
 
-/// Calls f(y) for each row of an image, on the executor's workers.
-template <class Executor, class F>
-void for_each_row(const Executor& executor, extent size, const F& f) {
-    const int workers = std::max(1, std::min(executor.workers(), size.height));
-    executor.dispatch(workers, [&](int worker) {
-        const auto row = [&](std::int64_t w) { return static_cast<int>(w * size.height / workers); };
-        for (int y = row(worker); y < row(worker + 1); ++y) f(y);
-    });
-}
-
 /// How filters of several passes run their passes: a frame in, images of the workspace out.
 template <class Executor>
 class pass_runner {
@@ -53,9 +42,8 @@ public:
     }
 
     /// A Gaussian blur; sigma in pixels.
-    void blur(const image_view<float>& from, const image_view<float>& to, float sigma) const {
-        const window::square over{static_cast<int>(std::ceil(3 * sigma))};
-        apply(filter{gaussian(spatial, sigma), over}, frame{}, from, to);
+    void blur(const source& from, const image_view<float>& to, float sigma) const {
+        gaussian_blur(from, to, sigma, executor_, memory_.tiles);
     }
 
     /// f(i) for the index i of each pixel in a plane of the workspace.

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <winnow/image/view.hpp>
 
@@ -76,6 +77,20 @@ inline float contained(const source& plane, int x, int y) {
         for (int i = x > 0 ? x - 1 : 0; i <= x + 1 && i < plane.size.width; ++i)
             if (const float near = plane.at(i, j); is_finite(near)) sum += near, ++count;
     return count ? static_cast<float>(sum / count) : 0.0f;
+}
+
+/// The same of the pixels x0 <= x < x1 of row y.
+inline void contained_row(const source& plane, int y, int x0, int x1, float* to) {
+    if (plane.type == scalar::float32 && plane.step.pixel == sizeof(float))
+        std::memcpy(to, plane.data + y * plane.step.row + x0 * plane.step.pixel,
+                    sizeof(float) * static_cast<std::size_t>(x1 - x0));
+    else
+        for (int x = x0; x < x1; ++x) to[x - x0] = plane.at(x, y);
+    bool clean = true;
+    for (int x = x0; x < x1; ++x) clean &= is_finite(to[x - x0]);
+    if (clean) return;
+    for (int x = x0; x < x1; ++x)
+        if (!is_finite(to[x - x0])) to[x - x0] = contained(plane, x, y);
 }
 
 }  // namespace winnow
