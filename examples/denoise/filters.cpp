@@ -123,6 +123,7 @@ std::vector<filter_entry> all_filters() {
     };
     all.back().unit_features = true;
     all.push_back(rdfc_entry());
+    all.push_back(sbf_entry());
     return all;
 }
 

@@ -73,8 +73,9 @@ struct filter_entry {
     std::string shown(const std::vector<double>& values) const;
 };
 
-/// RDFC, compiled apart.
+/// Compiled apart.
 filter_entry rdfc_entry();
+filter_entry sbf_entry();
 
 const std::vector<filter_entry>& filters();
 /// Fails with the nearest name where there is no such filter.

@@ -9,6 +9,7 @@
 #include <winnow/distance/patch.hpp>
 #include <winnow/distance/spatial.hpp>
 #include <winnow/distance/squared_difference.hpp>
+#include <winnow/distance/standardized.hpp>
 #include <winnow/estimator/none.hpp>
 #include <winnow/estimator/residual_variance.hpp>
 #include <winnow/estimator/sure.hpp>
