@@ -6,6 +6,7 @@
 #include <winnow/paper/joint_bilateral.hpp>
 #include <winnow/paper/nlm_2012.hpp>
 #include <winnow/paper/rdfc_2013.hpp>
+#include <winnow/paper/sbf_2012.hpp>
 
 namespace winnow::test {
 
@@ -15,5 +16,6 @@ any_filter erased(const paper::nlm& f);
 any_filter erased(const paper::nlm_2012& f);
 any_filter erased(const paper::nlm_2012_released& f);
 any_filter erased(const paper::rdfc_candidate& f);
+any_filter erased(const paper::sbf& f);
 
 }  // namespace winnow::test

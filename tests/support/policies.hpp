@@ -12,6 +12,7 @@ using distances = std::tuple<distance::spatial,                                 
                              distance::squared_difference<albedo_t>,                                                 //
                              distance::noise_normalized<color_t>,                                                    //
                              distance::cross_feature<normal_t>,                                                      //
+                             distance::standardized<normal_t>,                                                       //
                              distance::patch<distance::noise_normalized<color_t>>,                                   //
                              distance::patch<distance::patch<distance::squared_difference<color_t>>>,                //
                              distance::max_of<distance::cross_feature<albedo_t>, distance::cross_feature<depth_t>>,  //
@@ -20,6 +21,7 @@ inline const distances distance_examples{spatial,
                                          l2(albedo),
                                          noise_normalized(color, {.k = 0.45f}),
                                          cross(normal, {.k = 0.6f, .tau = 1e-3f}),
+                                         standardized(normal, {.floor = 1e-2f, .spread = 2}),
                                          patch(noise_normalized(color), {.radius = 1}),
                                          patch(patch(l2(color), {.radius = 1}), {.radius = 1}),
                                          max(cross(albedo), cross(depth, {.tau = 1e-4f})),

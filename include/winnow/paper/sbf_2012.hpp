@@ -18,8 +18,8 @@ namespace winnow::paper {
 template <class Bank>
 struct least_error_of {
     using candidate_set = decltype(std::declval<const Bank&>().candidates());
-    using reads = joined<typename candidate_set::reads,
-                         typename decltype(std::declval<const Bank&>().smoothing().weight)::reads>;
+    using reads =
+        joined<typename candidate_set::reads, typename decltype(std::declval<const Bank&>().smoothing().weight)::reads>;
     static constexpr std::size_t count = Bank::count;
 
     Bank bank{};
@@ -49,19 +49,7 @@ struct least_error_of {
     bool operator==(const least_error_of&) const = default;
 
     /// How far from a pixel its result can depend on the input, in pixels.
-    friend int halo(const least_error_of& f) {
-        return halo(f.bank.candidates().as_sweep()) + halo(f.bank.smoothing());
-    }
-
-    /// Planes of the workspace that a run takes.
-    static int scratch_planes(const output& out) {
-        int planes = 3 + 3;
-        if (out.half_a() || out.half_b()) planes += 6;
-        if (out.derivative()) planes += 3;
-        if (out.support()) planes += 1;
-        for (const auto& layer : out.layers()) planes += layer.first.channels;
-        return static_cast<int>(count) * planes;
-    }
+    friend int halo(const least_error_of& f) { return halo(f.bank.candidates().as_sweep()) + halo(f.bank.smoothing()); }
 
 private:
     /// What one candidate leaves; views of no channels stand for what nobody asks for.
@@ -69,29 +57,37 @@ private:
         image_view<float> mean, error, half_a, half_b, derivative, support, further;
     };
 
-    static candidate_images take(scratch_images& images, const output& out) {
+    /// Calls f(image, channels) for each of them.
+    template <class F>
+    static void each_image(const output& out, const F& f) {
         int further = 0;
         for (const auto& layer : out.layers()) further += layer.first.channels;
         const bool halves = out.half_a() || out.half_b();
+        f(&candidate_images::mean, 3), f(&candidate_images::error, 3);
+        f(&candidate_images::half_a, halves ? 3 : 0), f(&candidate_images::half_b, halves ? 3 : 0);
+        f(&candidate_images::derivative, out.derivative() ? 3 : 0);
+        f(&candidate_images::support, out.support() ? 1 : 0);
+        f(&candidate_images::further, further);
+    }
+    static int scratch_planes(const output& out) {
+        int planes = 0;
+        each_image(out, [&](auto, int channels) { planes += channels; });
+        return static_cast<int>(count) * planes;
+    }
+    static candidate_images take(scratch_images& images, const output& out) {
         candidate_images c;
-        c.mean = images.take(3);
-        c.error = images.take(3);
-        c.half_a = images.take(halves ? 3 : 0);
-        c.half_b = images.take(halves ? 3 : 0);
-        c.derivative = images.take(out.derivative() ? 3 : 0);
-        c.support = images.take(out.support() ? 1 : 0);
-        c.further = images.take(further);
+        each_image(out, [&](auto image, int channels) { c.*image = images.take(channels); });
         return c;
     }
 
     template <class Frame>
     extent check(const Frame& in, const output& out, const target& chosen) const {
         bank.check();
-        const extent size = winnow::detail::find_or_fail(in, color).size;
-        winnow::detail::check_outputs(out, 3, size, color);
-        if (chosen) winnow::detail::check_layer("the output of the choice", source(chosen), 1, size, color);
+        const extent size = detail::find_or_fail(in, color).size;
+        detail::check_outputs(out, 3, size, color);
+        if (chosen) detail::check_layer("the output of the choice", source(chosen), 1, size, color);
         for (const auto& layer : out.layers())
-            winnow::detail::check_layer("a further layer", layer.first, layer.first.channels, size, color);
+            detail::check_layer("a further layer", layer.first, layer.first.channels, size, color);
         return size;
     }
 
@@ -162,11 +158,13 @@ private:
     }
 };
 
-/// What a run over an image of this size will take, for what this output asks for.
+/// What a run over an image of this size will take; `values` counts the planes to filter: 3 for the colour, 6 more with
+/// halves, and those of further layers.  The derivative and the sum of weights, where asked for, take 4 more images a
+/// candidate.
 template <class Bank, executor_policy Executor>
-run_plan plan(const least_error_of<Bank>& f, extent size, const Executor& executor, const output& out) {
-    run_plan p = plan(f.bank.candidates(), size, executor, 3 + (out.half_a() || out.half_b() ? 6 : 0));
-    p.image_bytes = scratch_images::bytes(size, f.scratch_planes(out));
+run_plan plan(const least_error_of<Bank>& f, extent size, const Executor& executor, int values = 3) {
+    run_plan p = plan(f.bank.candidates(), size, executor, values);
+    p.image_bytes = scratch_images::bytes(size, static_cast<int>(Bank::count) * (values + 3));
     p.passes = 2;
     p.halo = halo(f);
     return p;

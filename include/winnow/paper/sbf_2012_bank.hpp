@@ -43,24 +43,20 @@ private:
     }
 };
 
-namespace detail {
-/// The filters make(0), make(1), ... of one bank.
+/// The filters make(0), make(1), ... in one sweep.
 template <std::size_t Count, class Make>
-auto bank_of(const Make& make) {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return candidates{make(I).with(estimator::sure{})...};
-    }
+auto make_candidates(const Make& make) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) { return candidates{make(I).with(estimator::sure{})...}; }
     (std::make_index_sequence<Count>{});
 }
-}  // namespace detail
 
 /// The cross bilateral filter at several scales: w = exp(-|p - q|^2 / (2 s^2)) times the weights of the features.
 /// With more than one setting of the features, each at every scale.
 template <class Features, std::size_t Settings = 1>
 struct cross_bilateral_bank {
-    std::array<float, 3> scales{1, 2, 4};        ///< s, in pixels; the window is twice the largest
-    std::array<sbf_features, Settings> like{};   ///< the first also guides the smoothing of errors
-    float smoothing_scale = 4;                   ///< of the weights that smooth estimated errors, in pixels
+    std::array<float, 3> scales{1, 2, 4};       ///< s, in pixels; the window is twice the largest
+    std::array<sbf_features, Settings> like{};  ///< the first also guides the smoothing of errors
+    float smoothing_scale = 4;                  ///< of the weights that smooth estimated errors, in pixels
 
     static constexpr std::size_t count = Settings * 3;
 
@@ -68,7 +64,7 @@ struct cross_bilateral_bank {
         return cross_bilateral(scales[k % scales.size()], like[k / scales.size()], largest());
     }
     auto candidates() const {
-        return detail::bank_of<count>([this](std::size_t k) { return candidate(k); });
+        return make_candidates<count>([this](std::size_t k) { return candidate(k); });
     }
     auto smoothing() const { return cross_bilateral(smoothing_scale, like[0], smoothing_scale); }
     bool operator==(const cross_bilateral_bank&) const = default;
@@ -104,7 +100,7 @@ struct cross_bilateral_bank_with_range {
         return filter{f.weight * gaussian(l2(color), sigma_color), f.window};
     }
     auto candidates() const {
-        return detail::bank_of<count>([this](std::size_t k) { return candidate(k); });
+        return make_candidates<count>([this](std::size_t k) { return candidate(k); });
     }
     auto smoothing() const { return spatial_bank.smoothing(); }
     void check() const { spatial_bank.check(); }
@@ -129,7 +125,7 @@ struct cross_nlm_bank {
                       window::square{.radius = radius}};
     }
     auto candidates() const {
-        return detail::bank_of<count>([this](std::size_t k) { return candidate(k); });
+        return make_candidates<count>([this](std::size_t k) { return candidate(k); });
     }
     auto smoothing() const {
         return cross_bilateral_bank<Features>{.like = {like}, .smoothing_scale = smoothing_scale}.smoothing();
