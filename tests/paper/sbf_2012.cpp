@@ -59,9 +59,13 @@ TEST_CASE("SBF: neither the identity nor the plain mean") {
 TEST_CASE("SBF: hazards") { check_hazards(f); }
 
 TEST_CASE("SBF: everything comes from the candidate with the least smoothed error, in each pixel") {
-    const buffers in = make_buffers(size);
+    // From left to right ever more detail in the same noise, and features that say little.
+    buffers in = make_buffers(size);
+    in.color = fill(size, 3, [](int x, int y, int c) {
+        return 0.001 * x * x * std::sin(1.3 * x + y) + 0.1 * normal_deviate(5, x, y, c);
+    });
     sbf filter = small();
-    filter.bank.like[0].spread = 1000;  // so that each is the best somewhere
+    filter.bank.like[0].spread = 1e5f;
     const named_layers frame = in.layers();
     workspace memory;
     results r, one[3];
