@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <set>
+#include <winnow/frame/covariance.hpp>
 #include <winnow/frame/unit_range.hpp>
 #include <winnow/frame/variance.hpp>
 
@@ -53,7 +54,8 @@ buffer combine(const stack& s) {
 /// Gathers the layers that are needed, file by file.
 class gatherer {
 public:
-    gatherer(const options& o, const filter_entry& filter) : options_(o), filter_(filter) {}
+    gatherer(const options& o, const filter_entry& filter, const prefilter_entry* prefilter)
+        : options_(o), filter_(filter), prefilter_(prefilter) {}
 
     void add(const std::string& file, const io::exr_image& image) {
         const layer_finder finder(file, image.names(), options_.map);
@@ -99,8 +101,10 @@ public:
 private:
     void gather_guide(const std::string& file, const io::exr_image& image, const layer_finder& finder,
                       const guide_entry& g) {
-        const bool needed = filter_.needs_buffer(g.name);
-        if (!filter_.reads_buffer(g.name) && !options_.diagnose) return;
+        const bool needed =
+            filter_.needs_buffer(g.name) || (g.name == "rest_position" && prefilter_ && prefilter_->positions);
+        const bool guides_prefilter = g.name == "rest_position" && prefilter_ && prefilter_->positions;
+        if (!filter_.reads_buffer(g.name) && !guides_prefilter && !options_.diagnose) return;
         const auto mean = finder.guide(g), a = finder.companion(g, "halfA"), b = finder.companion(g, "halfB");
         const auto noise = finder.companion(g, "variance");
         if (!mean && !(a && b)) {
@@ -121,6 +125,7 @@ private:
         read(a, g.name + ".halfA", false);
         read(b, g.name + ".halfB", false);
         read(noise, g.name + ".variance", true);
+        if (g.name == "rest_position") read(finder.companion(g, "covariance"), g.name + ".covariance", false);
         if (!mean) {
             const std::vector<source> halves{stacks_[g.name + ".halfA"].renders.back().view(),
                                              stacks_[g.name + ".halfB"].renders.back().view()};
@@ -173,11 +178,18 @@ private:
 
     buffer finish_guide(const std::string& name) {
         buffer b = combine(stacks_[name]);
-        if (options_.inputs.size() > 1) return b;
+        if (options_.inputs.size() > 1) {
+            if (name == "rest_position") {
+                b.covariance = image<float>(b.mean.size(), 6);
+                covariance_of_renders(stacks_[name].every(1), b.covariance.view());
+            }
+            return b;
+        }
         const auto take = [&](const std::string& what, image<float>& to) {
             if (stacks_.contains(name + what)) to = std::move(stacks_[name + what].renders[0]);
         };
         take(".variance", b.variance);
+        take(".covariance", b.covariance);
         if (stacks_.contains(name + ".halfA") && stacks_.contains(name + ".halfB")) {
             take(".halfA", b.half_a);
             take(".halfB", b.half_b);
@@ -187,6 +199,7 @@ private:
 
     const options& options_;
     const filter_entry& filter_;
+    const prefilter_entry* prefilter_;
     std::string first_, alpha_;
     file_layer color_layer_;
     std::vector<file_layer> further_;
@@ -209,6 +222,29 @@ void normalise(const std::string& name, buffer& b) {
     map(albedo), map(normal), map(depth), map(position), map(caustic);
 }
 
+/// How many samples of a pixel the covariance of its positions is of.
+float samples_behind(const options& o, const buffer& positions) {
+    if (o.inputs.size() > 1) return static_cast<float>(o.inputs.size());
+    if (!positions.covariance.channels() || !positions.variance.channels())
+        fail(o.inputs[0] +
+             ": the pre-filter sure needs the covariance of the positions in a pixel: give several renders " +
+             "with other seeds, or the layers rest_position.covariance and rest_position.variance");
+    // Of n samples the variance of the mean is the n-1-th part of that of the samples.
+    std::vector<float> ratios;
+    for (int y = 0; y < positions.mean.size().height; ++y)
+        for (int x = 0; x < positions.mean.size().width; ++x) {
+            const auto& s = positions.covariance;
+            const auto& v = positions.variance;
+            const float samples = s.at(x, y, 0) + s.at(x, y, 3) + s.at(x, y, 5);
+            const float mean = v.at(x, y, 0) + v.at(x, y, 1) + v.at(x, y, 2);
+            if (mean > 0 && is_finite(samples / mean)) ratios.push_back(samples / mean);
+        }
+    if (ratios.empty()) return 1;
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    return 1 + *middle;
+}
+
 }  // namespace
 
 named_layers scene::frame() const {
@@ -225,8 +261,8 @@ named_layers scene::frame() const {
     return frame;
 }
 
-scene read_scene(const options& o, const filter_entry& filter) {
-    gatherer gathered(o, filter);
+scene read_scene(const options& o, const filter_entry& filter, const prefilter_entry* prefilter) {
+    gatherer gathered(o, filter, prefilter);
     io::exr_image first;
     for (std::size_t i = 0; i < o.inputs.size(); ++i) {
         io::exr_image image = io::read_exr(o.inputs[i]);
@@ -247,6 +283,7 @@ scene read_scene(const options& o, const filter_entry& filter) {
             std::cerr << "denoise: " << o.inputs[0] << ": there is no " << feature << "; " << filter.name
                       << " does without\n";
     }
+    if (prefilter && prefilter->positions) s.samples = samples_behind(o, s.guides.at("rest_position"));
     if (filter.needs_buffer("variance") && !s.color().has_halves() && !s.color().variance.channels())
         fail(o.inputs[0] + ": " + filter.name +
              " needs the variance of the colour: give two renders with other seeds, or the layer variance");

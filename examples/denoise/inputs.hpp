@@ -15,13 +15,15 @@
 #include "filters.hpp"
 #include "layers.hpp"
 #include "options.hpp"
+#include "prefilter.hpp"
 
 namespace denoise {
 
 /// A buffer and what is known about its noise.  Images that the input does not have are empty.
 struct buffer {
     winnow::image<float> mean, half_a, half_b;
-    winnow::image<float> variance;  ///< of the mean
+    winnow::image<float> variance;    ///< of the mean
+    winnow::image<float> covariance;  ///< of the samples, of positions only
     bool has_halves() const { return half_a.channels() > 0; }
 };
 
@@ -33,6 +35,7 @@ struct scene {
     winnow::image<float> color_as_read;  ///< the mean with its outliers
     std::vector<std::pair<file_layer, buffer>> layers;
     int half_a_renders = 1, half_b_renders = 1;
+    float samples = 1;                               ///< of a pixel, in the covariance of its positions
     std::vector<winnow::layer_diagnosis> read;       ///< every layer of every input that was looked at
     std::optional<winnow::outliers_found> outliers;  ///< that were taken out of the colour
 
@@ -46,7 +49,7 @@ struct scene {
 
 /// Reads what the filter and the further layers need, and takes outliers out of the colour.  Fails with the names of
 /// file and layer, and both sizes.
-scene read_scene(const options& o, const filter_entry& filter);
+scene read_scene(const options& o, const filter_entry& filter, const prefilter_entry* prefilter);
 
 /// The colour of a reference, which must cover what the scene covers.
 winnow::image<float> read_reference(const std::string& path, const scene& s);

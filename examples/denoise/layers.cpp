@@ -43,6 +43,7 @@ const std::vector<guide_entry>& known_guides() {
         {"normal", 3, {"normal", "Normal", "N", "Ns", "Denoising Normal", "sh_normal"}},
         {"depth", 1, {"depth", "Depth", "Z", "Denoising Depth"}},
         {"position", 3, {"position", "Position", "P"}},
+        {"rest_position", 3, {"rest_position", "position", "Position", "P"}},
         {"visibility", 1, {"visibility", "shadow"}},
         {"caustic", 1, {"caustic", "caustics"}},
         {"roughness", 1, {"roughness", "Roughness"}},
@@ -56,7 +57,7 @@ layer_finder::layer_finder(std::string file, names channels, std::vector<std::pa
         if (const std::string layer = layer_of(channel); !contains(layers_, layer)) layers_.push_back(layer);
     names buffers;
     for (const guide_entry& g : known_guides())
-        for (const char* what : {"", ".halfA", ".halfB", ".variance"}) buffers.push_back(g.name + what);
+        for (const char* what : {"", ".halfA", ".halfB", ".variance", ".covariance"}) buffers.push_back(g.name + what);
     for (const auto& [buffer, layer] : map_)
         if (!contains(buffers, buffer))
             winnow::fail("--map " + buffer + "=" + layer + ": there is no buffer " + buffer +
@@ -67,13 +68,14 @@ std::optional<file_layer> layer_finder::with_channels(const std::string& layer, 
     static const std::vector<names> triples = {{"R", "G", "B"}, {"X", "Y", "Z"}, {"r", "g", "b"}, {"x", "y", "z"}};
     static const names singles = {"Z", "Y", "V", "R", "X", "z", "y", "v", "r", "x"};
     file_layer found{layer, {}};
-    if (channels == 3) {
-        for (const names& triple : triples) {
+    static const std::vector<names> pairs = {{"XX", "XY", "XZ", "YY", "YZ", "ZZ"}};
+    if (channels > 1) {
+        for (const names& letters : channels == 3 ? triples : pairs) {
             found.channels.clear();
-            for (const std::string& c : triple)
+            for (const std::string& c : letters)
                 if (const std::string name = joined_name(layer, c); contains(channels_, name))
                     found.channels.push_back(name);
-            if (found.channels.size() == 3) return found;
+            if (found.channels.size() == letters.size()) return found;
         }
     } else {
         for (const std::string& c : singles)
@@ -125,7 +127,8 @@ std::optional<file_layer> layer_finder::guide(const guide_entry& g) const {
 }
 
 std::optional<file_layer> layer_finder::companion(const guide_entry& g, const std::string& what) const {
-    if (auto found = mapped(g.name + "." + what, g.channels)) return found;
+    const int channels = what == "covariance" ? g.channels * (g.channels + 1) / 2 : g.channels;
+    if (auto found = mapped(g.name + "." + what, channels)) return found;
     const auto main = guide(g);
     names candidates = {joined_name(main ? layer_of(main->channels[0]) : "", what), g.name + "." + what};
     // The colour's may stand in a view layer, but "albedo.variance" is not the colour's.
@@ -134,7 +137,7 @@ std::optional<file_layer> layer_finder::companion(const guide_entry& g, const st
             if (is_called(layer, what, false) && !is_feature(component_of(layer_of(layer))))
                 candidates.push_back(layer);
     for (const std::string& name : candidates)
-        if (auto found = find(name, g.channels, true)) return found;
+        if (auto found = find(name, channels, true)) return found;
     return {};
 }
 
@@ -165,7 +168,8 @@ std::vector<file_layer> layer_finder::all_further() const {
     std::vector<file_layer> found;
     for (const std::string& layer : layers_) {
         const std::string last = component_of(layer);
-        if (contains(taken, layer) || last == "halfA" || last == "halfB" || last == "variance") continue;
+        if (contains(taken, layer) || last == "halfA" || last == "halfB" || last == "variance" || last == "covariance")
+            continue;
         if (auto rgb = with_channels(layer, 3); rgb && component_of(rgb->channels[0]) == "R") found.push_back(*rgb);
     }
     return found;

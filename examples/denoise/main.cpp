@@ -59,9 +59,10 @@ image<float> scaled(const image<float>& from, float by) {
 }
 
 /// Filters the window with as much around it as its pixels depend on.
-results run(const options& o, const ready_filter& filter, const scene& s, rectangle window, bool with_error) {
+results run(const options& o, const prefilter_entry* prefilter, const ready_filter& filter, const scene& s,
+            rectangle window, bool with_error) {
     const bool halves = o.do_no_harm && s.color().has_halves();
-    const rectangle grown = window.grown(filter.halo + (halves ? harm_reach : 0));
+    const rectangle grown = window.grown(filter.halo + (prefilter ? prefilter->halo : 0) + (halves ? harm_reach : 0));
     const rectangle region{std::max(0, grown.x0), std::max(0, grown.y0), std::min(s.size().width, grown.x1),
                            std::min(s.size().height, grown.y1)};
     const auto part = [&](const image<float>& whole) {
@@ -77,6 +78,7 @@ results run(const options& o, const ready_filter& filter, const scene& s, rectan
         bind(name + ".variance", b.variance);
         bind(name + ".halfA", b.half_a);
         bind(name + ".halfB", b.half_b);
+        bind(name + ".covariance", b.covariance);
         if (name != "color" || !b.has_halves() || !b.variance.channels()) continue;
         // The variance of a half is that of the mean, times how many more samples the mean has.
         const auto renders = static_cast<float>(s.half_a_renders + s.half_b_renders);
@@ -105,6 +107,11 @@ results run(const options& o, const ready_filter& filter, const scene& s, rectan
     workspace memory;
     {
         const programs::progress_line line(o.progress, "denoise", [&] { return memory.progress.share(); });
+        if (prefilter) {
+            memory.progress.enter_filter(0, 0.2f);
+            prefilter->run(frame, s.samples, o.executor, o.threads, memory);
+            memory.progress.enter_filter(0.2f, 1);
+        }
         filter.run({frame, out, layers, o.executor, o.threads, memory,
                     r.selection.channels() ? target(r.selection.view()) : target{}});
     }
@@ -191,6 +198,7 @@ double mean(const image<float>& error) {
 
 void denoise_files(options o) {
     const filter_entry& entry = find_filter(o.filter);
+    const prefilter_entry* prefilter = o.prefilter.empty() ? nullptr : &find_prefilter(o.prefilter);
     const std::vector<double> values = entry.values(o.set);
     if (o.executor.empty()) o.executor = default_executor();
     const int threads = check_executor(o.executor, o.threads);
@@ -203,7 +211,7 @@ void denoise_files(options o) {
     said.executor = o.executor;
     said.threads = threads;
     const stopwatch reading;
-    scene s = read_scene(o, entry);
+    scene s = read_scene(o, entry, prefilter);
     said.read_seconds = reading.seconds();
     said.read = &s.read;
     said.outliers = s.outliers;
@@ -225,7 +233,7 @@ void denoise_files(options o) {
     for (const auto& guide : s.guides) about.has.insert(guide.first);
     const ready_filter filter = entry.make(values, about);
     const bool with_error = s.color().has_halves() && (o.json || !o.error.empty());
-    const results r = run(o, filter, s, window, with_error);
+    const results r = run(o, prefilter, filter, s, window, with_error);
     said.filter_seconds = filtering.seconds();
 
     const stopwatch writing;

@@ -62,6 +62,9 @@ std::optional<options> parse(int argc, const char* const* argv) {
     app.add_option("INPUT.exr", o.inputs, "Renders");
     app.add_option("-o,--output", o.output, "The result: .exr, or .png, tone-mapped");
     app.add_option("--filter", o.filter, "One of those that --list names")->capture_default_str();
+    app.add_option("--prefilter", o.prefilter,
+                   "Cleans the features first: sure (needs positions, of several renders or with their covariance), "
+                   "nlm or bilateral");
     app.add_flag("--list", list, "Names all filters, the layers that each needs and its numbers");
     app.add_option("--set", set, "key=value: a number of the filter")->allow_extra_args(false);
     app.add_option("--map", map, "NAME=LAYER: the layer of the file that holds NAME")->allow_extra_args(false);

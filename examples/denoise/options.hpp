@@ -14,6 +14,7 @@ struct options {
     std::vector<std::string> inputs;
     std::string output;  ///< empty: only with diagnose
     std::string filter = "rdfc";
+    std::string prefilter;                                 ///< that cleans the features first, if any
     std::vector<std::pair<std::string, std::string>> set;  ///< key, value
     std::vector<std::pair<std::string, std::string>> map;  ///< guide, layer
     std::vector<std::string> layers;                       ///< "all" alone means all

@@ -16,7 +16,8 @@ using distances = std::tuple<distance::spatial,                                 
                              distance::patch<distance::noise_normalized<color_t>>,                                   //
                              distance::patch<distance::patch<distance::squared_difference<color_t>>>,                //
                              distance::max_of<distance::cross_feature<albedo_t>, distance::cross_feature<depth_t>>,  //
-                             distance::sum_of<distance::noise_normalized<color_t>, distance::spatial>>;
+                             distance::sum_of<distance::noise_normalized<color_t>, distance::spatial>,               //
+                             distance::mahalanobis<position_t>>;
 inline const distances distance_examples{spatial,
                                          l2(albedo),
                                          noise_normalized(color, {.k = 0.45f}),
@@ -25,7 +26,8 @@ inline const distances distance_examples{spatial,
                                          patch(noise_normalized(color), {.radius = 1}),
                                          patch(patch(l2(color), {.radius = 1}), {.radius = 1}),
                                          max(cross(albedo), cross(depth, {.tau = 1e-4f})),
-                                         noise_normalized(color) + spatial};
+                                         noise_normalized(color) + spatial,
+                                         mahalanobis(position)};
 
 using weights = std::tuple<
     weight::gaussian<distance::spatial>,                                                            //
@@ -39,7 +41,8 @@ using weights = std::tuple<
                    weight::exponential<distance::cross_feature<normal_t>>>,                                          //
     weight::min_of<weight::cutoff<distance::spatial>, weight::gaussian<distance::squared_difference<albedo_t>>>,     //
     weight::product_of<weight::gaussian<distance::spatial>, weight::exponential<distance::cross_feature<depth_t>>>,  //
-    weight::product_of<weight::gaussian<distance::squared_difference<color_t>>, weight::cutoff<distance::spatial>>>;
+    weight::product_of<weight::gaussian<distance::squared_difference<color_t>>, weight::cutoff<distance::spatial>>,  //
+    weight::local_gaussian<distance::squared_difference<depth_t>, bandwidth_t>>;
 inline const weights weight_examples{
     gaussian(spatial, 1.5f),
     gaussian(noise_normalized(color), 0.7f),
@@ -51,12 +54,14 @@ inline const weights weight_examples{
     min(exponential(noise_normalized(color)), exponential(cross(normal))),
     min(cutoff(spatial, 4), gaussian(l2(albedo), 0.3f)),
     gaussian(spatial, 2) * exponential(cross(depth)),
-    gaussian(l2(color), 0.5f) * cutoff(spatial, 4)};
+    gaussian(l2(color), 0.5f) * cutoff(spatial, 4),
+    gaussian(l2(depth), bandwidth)};
 
 using windows = std::tuple<window::square, window::disk, window::space_time>;
 inline constexpr windows window_examples{{.radius = 3}, {.radius = 4}, {.radius = 2, .frames = 1}};
 
-using estimators = std::tuple<estimator::none, estimator::residual_variance, estimator::sure<>>;
+using estimators = std::tuple<estimator::none, estimator::residual_variance, estimator::sure<>,
+                              estimator::mahalanobis_sure<position_t>>;
 inline constexpr estimators estimator_examples{};
 
 }  // namespace winnow::test

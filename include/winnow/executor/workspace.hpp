@@ -17,6 +17,7 @@ struct progress {
     std::atomic<int> done = 0;            ///< tiles of the current pass that are finished
     std::atomic<int> total = 0;           ///< tiles of the current pass
     std::atomic<float> from = 0, to = 1;  ///< which part of the whole run the current pass is
+    float first = 0, last = 1;            ///< which part of it the current filter is, of several in a row
     std::atomic<bool> cancel =
         false;  ///< set it, and the run stops before its next tile; the output is then incomplete
 
@@ -26,11 +27,17 @@ struct progress {
         const float of_pass = all ? static_cast<float>(done) / static_cast<float>(all) : 0.0f;
         return from + (to - from) * of_pass;
     }
-    /// What follows is this part of the whole run.
+    /// What follows is this part of what the current filter does.
     void enter(float from_share, float to_share) {
         done = 0;
-        from = from_share;
-        to = to_share;
+        from = first + (last - first) * from_share;
+        to = first + (last - first) * to_share;
+    }
+    /// The filter that follows is this part of the whole run.
+    void enter_filter(float from_share, float to_share) {
+        first = from_share;
+        last = to_share;
+        enter(0, 1);
     }
 };
 
@@ -62,6 +69,7 @@ private:
 struct workspace {
     scratch_memory tiles;   ///< the executor's
     scratch_memory images;  ///< whole images between the passes of a filter with several
+    scratch_memory clean;   ///< whole images that a pre-filter hands to the filter behind it
     sweep_buffers buffers;
     std::vector<output> passes;  ///< where the passes of a filter with several write
     variance_memory noise;

@@ -9,8 +9,8 @@
 namespace winnow {
 
 /// What filter{gaussian(spatial, sigma), window::square{ceil(3 sigma)}} gives, at a cost that grows with sigma, not
-/// with its square.  sigma in pixels.  Beyond the image there is nothing; pixels that are no number are replaced as
-/// everywhere.  The same bits whatever the executor.  `to` must not overlap `from`.
+/// with its square.  sigma in pixels, 0 for a copy.  Beyond the image there is nothing; pixels that are no number are
+/// replaced as everywhere.  The same bits whatever the executor.  `to` must not overlap `from`.
 template <executor_policy Executor>
 void gaussian_blur(const source& from, const image_view<float>& to, float sigma, const Executor& executor,
                    scratch_memory& memory) {

@@ -9,11 +9,11 @@
 
 namespace winnow {
 
-/// Planar images of one size, one after another in a workspace; valid until the workspace is used for another filter.
+/// Planar images of one size, one after another in memory of a workspace; valid until that is used for another filter.
 class scratch_images {
 public:
-    scratch_images(workspace& memory, extent size, int planes)
-        : next_(reinterpret_cast<float*>(memory.images.reserve(bytes(size, planes)))), size_(size) {}
+    scratch_images(scratch_memory& memory, extent size, int planes)
+        : next_(reinterpret_cast<float*>(memory.reserve(bytes(size, planes)))), size_(size) {}
 
     static std::size_t bytes(extent size, int planes) {
         return sizeof(float) * static_cast<std::size_t>(size.pixels()) * planes;

@@ -20,6 +20,7 @@ WINNOW_GUIDE(transmittance, 1);     ///< of the medium between camera and first 
 WINNOW_GUIDE(scatter_distance, 1);  ///< from the camera to the first scattering, or to the surface
 WINNOW_GUIDE(motion_vector, 2);     ///< in pixels, from here to where the point was in the previous frame
 WINNOW_GUIDE(instance, 1);          ///< number of the object; 0 is what was not hit
+WINNOW_GUIDE(sample_count, 1);      ///< of the samples in the pixel, where it varies
 
 // The second hit: of the direction that was sampled at the first.
 WINNOW_GUIDE(position2, 3);

@@ -44,7 +44,7 @@ struct rdfc_of<planes<Feature...>, Selection> {
     void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory,
                     const target& selected = {}) const {
         const extent size = check(in, out, selected);
-        scratch_images images(memory, size, scratch_planes(frames_around(in), further_channels(out)));
+        scratch_images images(memory.images, size, scratch_planes(frames_around(in), further_channels(out)));
         const pass_runner passes(executor, memory);
 
         memory.progress.enter(0, 0.1f);

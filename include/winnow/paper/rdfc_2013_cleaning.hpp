@@ -4,7 +4,8 @@
 /// What RDFC does before it filters: how noisy the colour is, and features without their noise.
 /// Rousselle, Manzi, Zwicker, "Robust Denoising using Feature and Color Information", 2013, Algorithm 1, lines 2 to 8.
 #include <array>
-#include <winnow/filter/passes.hpp>
+#include <winnow/filter/clean_feature.hpp>
+#include <winnow/paper/feature_prefilters.hpp>
 #include <winnow/paper/rdfc_2013_candidate.hpp>
 
 namespace winnow::paper {
@@ -17,14 +18,13 @@ struct rdfc_cleaning {
 
     template <guide G>
     auto feature_filter(G) const {
-        return filter{exponential(patch(noise_normalized(G{}, {.k = 1}), {.radius = 3})),
-                      window::square{.radius = numbers.feature_radius}};
+        return nlm_of_feature{.radius = numbers.feature_radius}(G{});
     }
     /// Lines 2 to 8: the colour with its noise, and clean features.
     template <class Passes, class Frame>
     auto operator()(const Passes& passes, const Frame& in, scratch_images& images) const {
         const image_view<float> noise = images.take(3);
-        noise_of(in, color, noise, passes.memory());
+        noise_of(in, color, noise, numbers.half_share, passes.memory());
         const std::array cleaned{prefilter(passes, in, Feature{}, images)...};
         return [&]<std::size_t... I>(std::index_sequence<I...>) {
             return frame{color = in.find(color),
@@ -62,36 +62,18 @@ struct rdfc_cleaning {
     }
 
 private:
-    struct cleaned_feature {
-        source mean, variance;
-    };
-
-    /// Lines 2 and 4: the variance of the mean of G, at the magnitude that its halves show.
-    template <class Frame, guide G>
-    void noise_of(const Frame& in, G g, const image_view<float>& to, workspace& memory) const {
-        const source a = in.find(first_half(g)), b = in.find(second_half(g)), samples = in.find(variance(g));
-        if (samples) scale_variance_to_halves(samples, a, b, to, 10, numbers.half_share, memory.noise);
-        else variance_from_halves(a, b, to, 1, numbers.half_share, memory.noise);
-    }
-
-    /// Lines 5 to 8: a feature filtered by itself, and the variance that is left.
+    /// Lines 5 to 8: a feature filtered by itself, and the variance that is left.  One without halves is exact.
     template <class Passes, class Frame, guide G>
     cleaned_feature prefilter(const Passes& passes, const Frame& in, G g, scratch_images& images) const {
-        const source noisy = in.find(g), a = in.find(first_half(g)), b = in.find(second_half(g));
-        const image_view<float> residual = images.take(G::channels);
-        if (!a || !b) {
+        if (!has_halves(in, g)) {
+            const image_view<float> residual = images.take(G::channels);
             passes.for_each_value(residual, [](std::ptrdiff_t) { return 0.0f; });
-            return {noisy, residual};
+            return {in.find(g), residual, {}, {}};
         }
-        const image_view<float> mean = images.take(G::channels);
         scratch_images later = images;  // memory that the candidates will take
-        const auto noise = later.take(G::channels), half_a = later.take(G::channels), half_b = later.take(G::channels);
-        noise_of(in, g, noise, passes.memory());
-        const frame guides{g = noisy, variance(g) = noise, first_half(g) = a, second_half(g) = b};
-        feature_filter(g)(filtering(g, guides), passes.memory().pass(mean).halves(half_a, half_b), passes.executor(),
-                          passes.memory());
-        passes.residual_variance(half_a, half_b, numbers.feature_share, noise, residual);
-        return {mean, residual};
+        later.take(2 * G::channels);
+        return clean_feature(passes, in, g, feature_filter(g), numbers.half_share, numbers.feature_share,
+                             feature_images::take(images, later, G::channels));
     }
 };
 
