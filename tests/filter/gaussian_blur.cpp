@@ -16,7 +16,8 @@ namespace {
 image<> blurred(const image<>& from, float sigma, int threads = 1) {
     image<> to(from.size(), from.channels());
     scratch_memory memory;
-    gaussian_blur(from.view(), to.view(), sigma, executor::fresh_threads{threads}, memory);
+    executor::fresh_threads tasks{threads};
+    gaussian_blur(from.view(), to.view(), sigma, executor::pool{tasks, executor::serial<>{}}, memory);
     return to;
 }
 
