@@ -16,8 +16,8 @@ struct guided_regression {
     using reads = joined<Guides, typename Estimator::reads>;
     static constexpr int count = 1, guides = Guides::count;
     static constexpr border rule = border::clip;
-    /// Beyond these a value is cut, so that slopes stay finite.
-    static constexpr detail::value_range values{-1e30f, 1e30f};
+    /// Beyond these a value is cut, so that its covariance with a guide is finite (see range_of).
+    static constexpr detail::value_range values{-1e20f, 1e20f};
 
     window::square window;
     float epsilon;
