@@ -38,13 +38,15 @@ TEMPLATE_TEST_CASE("window sums: every length, against the plain loop", "", lane
             const int count = 5 * TestType::size;  // whole lanes
             std::vector<real> values(static_cast<std::size_t>(count + (n + 2) * next + 2 * TestType::size));
             for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<real>(i * i % 97);  // exact sums
-            std::vector<real> sums(values.size());
-            const real* const found = sum_windows<TestType>(values.data(), sums.data(), next, count, n);
+            std::vector<real> work(values.size()), found(static_cast<std::size_t>(3 * count));
+            const int step = 3 * TestType::size;  // results further apart than values
+            sum_windows<TestType>(batches<const real>{values.data(), TestType::size}, next, count, n, work.data(),
+                                  batches<real>{found.data(), step});
             int wrong = 0;
             for (int i = 0; i < count; ++i) {
                 real expected = 0;
                 for (int k = 0; k < n; ++k) expected += values[static_cast<std::size_t>(i + k * next)];
-                wrong += found[i] != expected;
+                wrong += found[static_cast<std::size_t>(i / TestType::size * step + i % TestType::size)] != expected;
             }
             CAPTURE(n, next);
             CHECK(wrong == 0);

@@ -55,9 +55,9 @@ inline void stage_plane(const source& from, const staged_tile& tile, int plane, 
                         sizeof(float) * static_cast<std::size_t>(inside1 - inside0));
         else
             for (int x = inside0; x < inside1; ++x) row[x] = from.at(x, from_y);
-        bool clean = true;
-        for (int x = inside0; x < inside1; ++x) clean &= is_finite(row[x]);
-        if (!clean)
+        int bad = 0;  // no bool: compilers use lanes for the sum of numbers
+        for (int x = inside0; x < inside1; ++x) bad += !is_finite(row[x]);
+        if (bad > 0)
             for (int x = inside0; x < inside1; ++x)
                 if (!is_finite(row[x])) row[x] = contained(from, x, from_y);
         for (int x = inside0; x < inside1; ++x) row[x] = range(row[x]);

@@ -15,12 +15,15 @@ template <class Lanes>
 struct guided_by_tiles {
     extent largest_tile;
 
-    /// Halos are as wide as two windows: tiles are a few windows large, whatever the executor's are.
+    /// A tile is staged with two radii on every side: it is several radii large, whatever the executor's tiles are.
     template <class Regression>
     extent tile_size(const Regression& f, const sweep_buffers& buffers) const {
-        const int least = 4 * (2 * f.radius_in(buffers.size) + 1);
-        return {std::max(1, std::min(std::max(largest_tile.width, least), buffers.size.width)),
-                std::max(1, std::min(std::max(largest_tile.height, least), buffers.size.height))};
+        const int radius = f.radius_in(buffers.size);
+        const auto side = [](int wanted, int least, int all) {
+            return std::max(1, std::min(std::max(wanted, least), all));
+        };
+        return {side(largest_tile.width, 16 * radius, buffers.size.width),
+                side(largest_tile.height, 8 * radius, buffers.size.height)};
     }
     template <class Regression>
     std::size_t scratch_bytes(const Regression& f, const sweep_buffers& buffers) const {
