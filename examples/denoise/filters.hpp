@@ -73,7 +73,8 @@ struct filter_entry {
     std::string shown(const std::vector<double>& values) const;
 };
 
-/// RDFC, compiled apart.
+/// Compiled apart.
+filter_entry guided_entry();
 filter_entry rdfc_entry();
 
 const std::vector<filter_entry>& filters();
