@@ -8,6 +8,7 @@
 #include <opencv2/photo.hpp>
 #include <opencv2/ximgproc/edge_filter.hpp>
 #include <winnow/executor/openmp.hpp>
+#include <winnow/paper/guided_2010.hpp>
 #include <winnow/paper/joint_bilateral.hpp>
 #include <winnow/paper/nlm_2012.hpp>
 #include <winnow/window/disk.hpp>
@@ -40,17 +41,21 @@ void time(benchmark::State& state, long long offsets, const Call& call) {
     state.counters["ns/pair"] = benchmarks::seconds_each(state, call) / pairs * 1e9;
 }
 
-/// Times a winnow filter and checks what it made.
+/// Times a winnow filter that visits this many offsets, and checks what it made.
 template <class Filter>
-void run(benchmark::State& state, const Filter& filter) {
+void run(benchmark::State& state, const Filter& filter, long long offsets) {
     workspace memory;
     const auto in = scene().frame();
     const output out(scene().result);
     const executor::openmp executor{.threads = threads};
     filter(in, out, executor, memory);
-    time(state, area(filter.window), [&] { filter(in, out, executor, memory); });
+    time(state, offsets, [&] { filter(in, out, executor, memory); });
     if (!(benchmarks::largest_error(filter, halo(filter), scene(), scene().result) < 2e-5))
         state.SkipWithError("the result differs from the definition");
+}
+template <class Filter>
+void run(benchmark::State& state, const Filter& filter) {
+    run(state, filter, area(filter.window));
 }
 
 /// Times an OpenCV call; what it made must at least be less noisy than what it got.
@@ -69,7 +74,8 @@ void run_opencv(benchmark::State& state, const cv::Mat& noisy, long long offsets
 }  // namespace
 
 int main(int argc, char** argv) {
-    const cv::Mat color = interleave(scene().color), albedo_guide = interleave(scene().albedo);
+    const cv::Mat color = interleave(scene().color), albedo_guide = interleave(scene().albedo),
+                  normal_guide = interleave(scene().normal);
     cv::Mat color8, gray8;
     color.convertTo(color8, CV_8UC3, 100, 50);
     cv::cvtColor(color8, gray8, cv::COLOR_RGB2GRAY);
@@ -102,6 +108,14 @@ int main(int argc, char** argv) {
     });
     add("OpenCV fastNlMeansDenoising, grey 8 bit, 21x21, patch 7x7", [&](benchmark::State& s) {
         run_opencv(s, gray8, 441, [&](cv::Mat& out) { cv::fastNlMeansDenoising(gray8, out, 30, 7, 21); });
+    });
+    // Neither visits offsets: their ns/pair are ns per pixel.  OpenCV takes three guides at most, and repeats the edge.
+    add("winnow guided, r = 8, normal and depth: four guides",
+        [](benchmark::State& s) { run(s, paper::guided{{.radius = 8}}, 1); });
+    add("winnow guided, r = 8, normal: three guides",
+        [](benchmark::State& s) { run(s, paper::guided_of<planes<normal_t>>{{.radius = 8}}, 1); });
+    add("OpenCV guidedFilter, r = 8, three guides", [&](benchmark::State& s) {
+        run_opencv(s, color, 1, [&](cv::Mat& out) { cv::ximgproc::guidedFilter(normal_guide, color, out, 8, 1e-3); });
     });
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();

@@ -122,6 +122,7 @@ std::vector<filter_entry> all_filters() {
             run_it),
     };
     all.back().unit_features = true;
+    all.push_back(guided_entry());
     all.push_back(rdfc_entry());
     all.push_back(sbf_entry());
     return all;

@@ -74,6 +74,7 @@ struct filter_entry {
 };
 
 /// Compiled apart.
+filter_entry guided_entry();
 filter_entry rdfc_entry();
 filter_entry sbf_entry();
 

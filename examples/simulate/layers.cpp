@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <support/nearest.hpp>
 #include <winnow/frame/film.hpp>
+#include <winnow/paper/guided_2010.hpp>
 #include <winnow/paper/joint_bilateral.hpp>
 #include <winnow/paper/nlm_2012.hpp>
 #include <winnow/paper/rdfc_2013.hpp>
@@ -64,9 +65,12 @@ bool contains(const std::vector<std::string>& all, const std::string& name) {
 
 std::vector<std::string> planes_of_filter(const std::string& filter) {
     static const std::vector<filter_planes> all = {
-        planes_for<paper::bilateral>("bilateral"), planes_for<paper::joint_bilateral>("joint_bilateral"),
-        planes_for<paper::nlm>("nlm"), planes_for<paper::nlm_2012_released>("nlm_dual"),
-        planes_for<paper::rdfc_candidate>("rdfc_candidate")};
+        planes_for<paper::bilateral>("bilateral"),
+        planes_for<paper::joint_bilateral>("joint_bilateral"),
+        planes_for<paper::nlm>("nlm"),
+        planes_for<paper::nlm_2012_released>("nlm_dual"),
+        planes_for<paper::rdfc_candidate>("rdfc_candidate"),
+        planes_for<paper::guided_of<planes<albedo_t, normal_t, depth_t>>>("guided")};
     std::vector<std::string> known;
     for (const filter_planes& f : all) {
         if (f.name == filter) return f.planes;

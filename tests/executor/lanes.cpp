@@ -5,6 +5,7 @@
 #include <support/catch.hpp>
 #include <support/neighbourhood.hpp>
 #include <support/policies.hpp>
+#include <winnow/core/cholesky.hpp>
 #include <winnow/executor/lanes.hpp>
 
 using namespace winnow;
@@ -126,5 +127,25 @@ TEST_CASE("lanes: every lane works on its own number") {
         CHECK(root[i] == std::sqrt(x[i]));
         CHECK(fused[i] == Approx(x[i] * y[i] + x[i]).epsilon(2e-7));
         CHECK(smaller[i] == std::min(x[i], y[i]));
+    }
+}
+
+TEST_CASE("lanes solve as many systems as they are, each as a scalar would") {
+    symmetric<lanes, 3> a;
+    lanes b[3];
+    for (int i = 0; i < a.count; ++i) {
+        floats values;
+        for (int lane = 0; lane < lanes::size; ++lane)
+            values[lane] = (i == 0 || i == 2 || i == 5 ? 2.0f : 0.5f) + 0.01f * static_cast<float>(lane * i);
+        a.lower[i] = lanes::load(values.data());
+    }
+    for (int i = 0; i < 3; ++i) b[i] = lanes(1.0f + static_cast<float>(i));
+    cholesky<lanes, 3>(a, lanes(1e-4f)).solve(b);
+    for (int lane = 0; lane < lanes::size; ++lane) {
+        symmetric<float, 3> one;
+        for (int i = 0; i < one.count; ++i) one.lower[i] = stored(a.lower[i])[lane];
+        float x[3] = {1, 2, 3};
+        cholesky<float, 3>(one, 1e-4f).solve(x);
+        for (int i = 0; i < 3; ++i) CHECK(stored(b[i])[lane] == Approx(x[i]).epsilon(0).margin(2e-6));
     }
 }

@@ -20,6 +20,7 @@ any_filter nlm_with_error(filter_numbers n = {});  ///< estimator::residual_vari
 any_filter nlm_dual_buffer(filter_numbers n = {});
 any_filter nlm_as_released(filter_numbers n = {});  ///< the mean of a weight over a patch
 any_filter rdfc_candidate(filter_numbers n = {});
+any_filter guided(filter_numbers n = {});               ///< no sum of weights; has one border rule, to clip
 any_filter product_with_cutoff(filter_numbers n = {});  ///< 0 beyond a feature distance; a patch beside it
 any_filter max_and_sum(filter_numbers n = {});          ///< max and sum of distances
 any_filter disk(filter_numbers n = {});                 ///< a Gaussian blur over a disk

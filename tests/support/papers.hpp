@@ -3,6 +3,8 @@
 /// \file
 /// The papers' filters, with any numbers, as any_filter.
 #include <support/any_filter.hpp>
+#include <winnow/estimator/residual_variance.hpp>
+#include <winnow/paper/guided_2010.hpp>
 #include <winnow/paper/joint_bilateral.hpp>
 #include <winnow/paper/nlm_2012.hpp>
 #include <winnow/paper/rdfc_2013.hpp>
@@ -17,5 +19,11 @@ any_filter erased(const paper::nlm_2012& f);
 any_filter erased(const paper::nlm_2012_released& f);
 any_filter erased(const paper::rdfc_candidate& f);
 any_filter erased(const paper::sbf& f);
+
+any_filter erased(const paper::guided& f);
+using guided_by_color = paper::guided_of<planes<color_t>>;
+any_filter erased(const guided_by_color& f);
+using guided_with_error = paper::guided_of<planes<albedo_t, normal_t, depth_t>, estimator::residual_variance>;
+any_filter erased(const guided_with_error& f);
 
 }  // namespace winnow::test

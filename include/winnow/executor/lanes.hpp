@@ -8,8 +8,31 @@
 
 namespace winnow {
 
+/// As many doubles side by side as fit in a register: for sums whose leading digits cancel later on.
+struct double_lanes {
+    using real = double;
+    using batch = xsimd::batch<double>;
+    static constexpr int size = static_cast<int>(batch::size);
+
+    batch v;
+
+    double_lanes() = default;
+    WINNOW_HD double_lanes(batch v) : v(v) {}
+    WINNOW_HD explicit double_lanes(double x) : v(x) {}
+
+    WINNOW_HD static double_lanes load(const double* from) { return batch::load_unaligned(from); }
+    WINNOW_HD void store(double* to) const { v.store_unaligned(to); }
+    WINNOW_HD void store(float* to) const { v.store_unaligned(to); }
+
+    friend WINNOW_HD double_lanes operator+(double_lanes a, double_lanes b) { return a.v + b.v; }
+    friend WINNOW_HD double_lanes operator-(double_lanes a, double_lanes b) { return a.v - b.v; }
+    friend WINNOW_HD double_lanes operator*(double_lanes a, double_lanes b) { return a.v * b.v; }
+};
+
 /// As many floats side by side as the machine that the includer compiles for has in a register.
 struct lanes {
+    using real = float;
+    using wide = double_lanes;
     using batch = xsimd::batch<float>;
     using mask = xsimd::batch_bool<float>;
     static constexpr int size = static_cast<int>(batch::size);

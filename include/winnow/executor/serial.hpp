@@ -12,6 +12,8 @@ namespace winnow::executor {
 /// where the estimator needs it,  dF/du = (w(p,p) + sum_q dw u(q) - F sum_q dw) / sum_q w,  with dw = dw(p,q) / du(p).
 template <class Real>
 struct pixel_major {
+    using real = Real;  ///< what it computes with
+
     int tile_rows = 16;  ///< rows that are staged at a time
 
     template <class Sweep>

@@ -18,6 +18,8 @@ namespace winnow::executor {
 /// row of pixels with its neighbours stays in the first cache.
 /// Each pixel meets its neighbours in the same order whatever the tile: the bits do not depend on tiles or threads.
 struct offset_major {
+    using real = lanes;  ///< what it computes with
+
     extent largest_tile{128, 64};
 
     static constexpr int group = offset_group::largest;

@@ -86,9 +86,9 @@ inline void contained_row(const source& plane, int y, int x0, int x1, float* to)
                     sizeof(float) * static_cast<std::size_t>(x1 - x0));
     else
         for (int x = x0; x < x1; ++x) to[x - x0] = plane.at(x, y);
-    bool clean = true;
-    for (int x = x0; x < x1; ++x) clean &= is_finite(to[x - x0]);
-    if (clean) return;
+    int bad = 0;  // no bool: compilers use lanes for a sum of numbers
+    for (int x = x0; x < x1; ++x) bad += !is_finite(to[x - x0]);
+    if (bad == 0) return;
     for (int x = x0; x < x1; ++x)
         if (!is_finite(to[x - x0])) to[x - x0] = contained(plane, x, y);
 }

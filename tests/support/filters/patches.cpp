@@ -98,12 +98,23 @@ any_filter two_patches(filter_numbers n) {
 }
 
 std::vector<any_filter> all_filters(filter_numbers n) {
-    return {joint_bilateral(n),    bilateral(n),        nlm(n),
-            nlm_with_error(n),     nlm_dual_buffer(n),  nlm_as_released(n),
-            rdfc_candidate(n),     max_and_sum(n),      disk(n),
-            opaque_patch(n),       patch_of_patch(n),   mean_of_weights(n),
-            two_patches(n),        three_candidates(n), unlike_candidates(n),
-            product_with_cutoff(n)};
+    return {joint_bilateral(n),
+            bilateral(n),
+            nlm(n),
+            nlm_with_error(n),
+            nlm_dual_buffer(n),
+            nlm_as_released(n),
+            rdfc_candidate(n),
+            max_and_sum(n),
+            disk(n),
+            opaque_patch(n),
+            patch_of_patch(n),
+            mean_of_weights(n),
+            two_patches(n),
+            three_candidates(n),
+            unlike_candidates(n),
+            product_with_cutoff(n),
+            guided(n)};
 }
 
 std::string to_string(const how& h) {
