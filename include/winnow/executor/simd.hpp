@@ -150,11 +150,24 @@ private:
                 return pixel_pair<Real, reads>(p, q + i, staged.step, offsets.first + i, offsets.dy,
                                                prepared{ahead.at(memory.patches, i, x), ahead.width()});
             };
-            shared.for_each([&](int place, const auto& distance) WINNOW_HD_LAMBDA {
-                lanes d[group];  // stored last: stores would keep what depends on p alone from being computed once
-                for (int i = 0; i < offsets.size(); ++i) d[i] = distance(pair(std::type_identity<lanes>{}, i));
+            // Both at once, because terms are often made of the same parts as distances, and stored last: stores would
+            // keep what depends on p alone from being computed once.
+            constexpr int terms = sums_in<Sweep>;
+            lanes distances[Shared::count + 1][group], term[terms + 1][group];
+            for (int i = 0; i < offsets.size(); ++i) {
+                shared.for_each([&](int place, const auto& distance) WINNOW_HD_LAMBDA {
+                    distances[place - Ahead::places][i] = distance(pair(std::type_identity<lanes>{}, i));
+                });
+                if constexpr (terms > 0) {
+                    lanes of_pair[terms];
+                    sweep.estimator.terms(pair(std::type_identity<lanes>{}, i), of_pair);
+                    const lanes covered = lanes::load(q + i);
+                    for (int k = 0; k < terms; ++k) term[k][i] = of_pair[k] * covered;
+                }
+            }
+            shared.for_each([&](int place, const auto&) WINNOW_HD_LAMBDA {
                 for (int i = 0; i < offsets.size(); ++i)
-                    d[i].store(ahead.at(memory.patches, i, x) + place * ahead.width());
+                    distances[place - Ahead::places][i].store(ahead.at(memory.patches, i, x) + place * ahead.width());
             });
 
             lanes w[Sweep::count][group], dw[channels + 1][Sweep::count][group];
@@ -190,18 +203,11 @@ private:
                 add_plane(dw[c], q, 1 + values + 2 * c);
                 add_plane(dw[c], value + c * plane, 2 + values + 2 * c);
             }
-            if constexpr (sums_in < Sweep >> 0) {
-                lanes terms[sums_in<Sweep>][group];
-                for (int i = 0; i < group; ++i) {
-                    lanes of_pair[sums_in<Sweep>];
-                    sweep.estimator.terms(pair(std::type_identity<lanes>{}, i), of_pair);
-                    const lanes covered = lanes::load(q + i);
-                    for (int k = 0; k < sums_in<Sweep>; ++k) terms[k][i] = of_pair[k] * covered;
-                }
-                for (int k = 0; k < sums_in<Sweep>; ++k)
-                    add(
-                        w, [&](int i) WINNOW_HD_LAMBDA { return terms[k][i]; }, sums,
-                        (1 + values + 2 * channels + k) * next);
+            for (int k = 0; k < terms; ++k) {
+                for (int i = offsets.size(); i < group; ++i) term[k][i] = lanes(0.0f);
+                add(
+                    w, [&](int i) WINNOW_HD_LAMBDA { return term[k][i]; }, sums,
+                    (1 + values + 2 * channels + k) * next);
             }
             if constexpr (channels > 0)
                 if (centre >= 0)
