@@ -257,6 +257,7 @@ named_layers scene::frame() const {
         bind(name + ".halfA", b.half_a);
         bind(name + ".halfB", b.half_b);
         bind(name + ".variance", b.variance);
+        bind(name + ".covariance", b.covariance);
     }
     return frame;
 }

@@ -72,6 +72,8 @@ private:
             r.keep(G::name(), io::channel_letters(g),
                    {&images[g], &images[variance(g)], &images[first_half(g)], &images[second_half(g)]});
         });
+        const auto spread = winnow::covariance(winnow::rest_position);
+        r.planes.push_back({spread.name(), winnow::io::channel_names(spread), images[spread]});
         return r;
     }
 

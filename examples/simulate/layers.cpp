@@ -84,6 +84,7 @@ void check_given(const entry& scene, const std::vector<std::string>& wanted, con
         std::vector<std::string> all;
         for (const std::string& g : guides)
             for (const char* statistic : {"", ".variance", ".halfA", ".halfB"}) all.push_back(g + statistic);
+        if (contains(all, "rest_position")) all.push_back("rest_position.covariance");
         return all;
     };
     const std::vector<std::string> given = planes_of(scene.guides());

@@ -15,10 +15,11 @@ inline constexpr float no_weight = 1e-30f;
 ///     derivative(c, x)  dF / du of channel c;         variance(c, x)    of channel c
 ///     support(x)        the sum of weights
 ///     sum(k, x)         sum k of the estimator;       pixel(x)          the pixel itself, as a pair with itself
+///     weight            the policy
 /// What the estimator does not need and nobody asked for is not asked for here.
-template <class Estimator, class Weight, class Row>
-void write_row(const sweep_buffers& buffers, const Estimator& estimator, const Weight& policy, int weight,
-               rectangle tile, int y, const Row& row) {
+template <class Estimator, class Row>
+void write_row(const sweep_buffers& buffers, const Estimator& estimator, int weight, rectangle tile, int y,
+               const Row& row) {
     const auto write = [&](const target& to, const auto& value) {
         if (to)
             for (int x = tile.x0; x < tile.x1; ++x) to.set(x, y, value(x));
@@ -32,7 +33,7 @@ void write_row(const sweep_buffers& buffers, const Estimator& estimator, const W
         write(buffers.errors[weight], [&](int x) {
             float sum[sums];
             for (int k = 0; k < sums; ++k) sum[k] = row.sum(k, x);
-            return estimator(policy, row.support(x), sum, row.pixel(x));
+            return estimator(row.weight, row.support(x), sum, row.pixel(x));
         });
     else
         for (int c = 0; c < channels; ++c) {

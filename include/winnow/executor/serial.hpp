@@ -46,8 +46,9 @@ struct pixel_major {
                 for (int x = tile.x0; x < tile.x1; ++x)
                     filter_pixel(sweep, weight, buffers, staged, x, y,
                                  results + results_of<Sweep>(buffers) * (x - tile.x0));
-                write_row(buffers, sweep.estimator, weight, index, tile, y,
-                          row<Sweep>{staged, results, results_of<Sweep>(buffers), values, tile.x0, y});
+                write_row(buffers, sweep.estimator, index, tile, y,
+                          row<Sweep, std::remove_cvref_t<decltype(weight)>>{
+                              weight, staged, results, results_of<Sweep>(buffers), values, tile.x0, y});
             }
             ++index;
         };
@@ -64,8 +65,9 @@ private:
         return static_cast<int>(buffers.values.size()) + 1 + channels<Sweep> + sums_in<Sweep>;
     }
 
-    template <class Sweep>
+    template <class Sweep, class Weight>
     struct row {
+        const Weight& weight;
         const staged_tile& staged;
         const Real* results;
         int pitch, values, x0, y;

@@ -233,8 +233,9 @@ private:
     }
 
     /// One row of one weight's sums; see write_row.
-    template <class Sweep>
+    template <class Sweep, class Weight>
     struct row {
+        const Weight& weight;
         const staged_tile& staged;
         const float* sums;
         std::ptrdiff_t next;
@@ -268,11 +269,12 @@ private:
         const std::ptrdiff_t next = std::ptrdiff_t{memory.tile.width} * memory.tile.height;
         detail::for_each_node(sweep.weights, [&](const auto& weight, auto k) {
             for (int y = tile.y0; y < tile.y1; ++y)
-                write_row(buffers, sweep.estimator, weight, k, tile, y,
-                          row<Sweep>{staged,
-                                     memory.sums + k * sums_of_weight<Sweep>(values) * next +
-                                         (y - tile.y0) * std::ptrdiff_t{memory.tile.width},
-                                     next, values, tile.x0, y});
+                write_row(buffers, sweep.estimator, k, tile, y,
+                          row<Sweep, std::remove_cvref_t<decltype(weight)>>{
+                              weight, staged,
+                              memory.sums + k * sums_of_weight<Sweep>(values) * next +
+                                  (y - tile.y0) * std::ptrdiff_t{memory.tile.width},
+                              next, values, tile.x0, y});
         });
     }
 };

@@ -35,7 +35,7 @@ struct least_error_of {
     void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory,
                     const target& chosen = {}) const {
         const extent size = check(in, out, chosen);
-        scratch_images images(memory, size, scratch_planes(out));
+        scratch_images images(memory.images, size, scratch_planes(out));
         const pass_runner passes(executor, memory);
         std::array<candidate_images, count> candidate;
         for (candidate_images& c : candidate) c = take(images, out);

@@ -38,12 +38,14 @@ using film_for = film<joined<
     typename winnow::film_for<Filters...>::planes,
     typename detail::given_of<typename detail::optional_of<Filters>::type, typename Scene::effects::gives>::type...>>;
 
-/// The film of everything that a scene can give: each guide with its variance and its halves.
+/// The film of everything that a scene can give: each guide with its variance and its halves, and how the positions in
+/// a pixel spread.
 template <class... G>
 constexpr auto with_statistics(planes<G...>) {
     return joined<planes<G, variance_of<G>, half_a<G>, half_b<G>>...>{};
 }
 template <class Effects>
-using complete_film = film<decltype(with_statistics(typename Effects::gives{}))>;
+using complete_film =
+    film<joined<decltype(with_statistics(typename Effects::gives{})), planes<covariance_of<rest_position_t>>>>;
 
 }  // namespace winnow::simulate
