@@ -46,7 +46,8 @@ struct sure_prefilter_of<planes<Feature...>, Position, Noise> {
 
         const std::array results{take_results(in, Feature{}, kept)...};
         const image_view<float> smooth = images.take(3);
-        const auto filter_along = [&](source positions, float smoothing, const auto& from, auto to) {
+        // Filters some images of each feature, all with the same weights.
+        const auto filter_along = [&](source positions, float smoothing, const auto&... pairs) {
             if (smoothing > 0) {
                 passes.blur(positions, smooth, smoothing);
                 positions = smooth;
@@ -54,29 +55,40 @@ struct sure_prefilter_of<planes<Feature...>, Position, Noise> {
             output& pass = memory.pass({});
             int index = 0;
             const auto add = [&](auto g) {
-                const image_view<float>& filtered = results[static_cast<std::size_t>(index++)].*to;
-                if (filtered.data) pass.layer(from(g), filtered);
+                const result_images& r = results[static_cast<std::size_t>(index++)];
+                const auto add_one = [&](const auto& from, auto to) {
+                    if ((r.*to).data) pass.layer(from(g), r.*to);
+                };
+                (add_one(pairs.first, pairs.second), ...);
             };
             (add(Feature{}), ...);
             if (pass.layers().empty()) return;
             const frame guides{Position{} = positions, precision(Position{}) = precisions, bandwidth = map};
             along_positions()(filtering(Position{}, guides), pass, executor, memory);
         };
-        const auto find_half = [&](auto half, auto whole) { return in.find(half) ? in.find(half) : in.find(whole); };
-        const auto filter_half = [&](auto half_of, auto to) {
-            filter_along(
-                find_half(half_of(Position{}), Position{}), numbers.half_smoothing,
-                [&](auto g) { return numbers.independent_halves ? in.find(half_of(g)) : in.find(g); }, to);
-        };
+        const auto whole = [&](auto g) { return in.find(g); };
+        const auto first = [&](auto g) { return in.find(first_half(g)); };
+        const auto second = [&](auto g) { return in.find(second_half(g)); };
+        const source positions = in.find(Position{});
         memory.progress.enter(0.4f, 0.6f);
-        filter_along(
-            in.find(Position{}), numbers.guide_smoothing, [&](auto g) { return in.find(g); }, &result_images::mean);
-        memory.progress.enter(0.6f, 0.8f);
-        filter_half([](auto g) { return first_half(g); }, &result_images::half_a);
-        memory.progress.enter(0.8f, 1);
-        filter_half([](auto g) { return second_half(g); }, &result_images::half_b);
+        if (numbers.noise == noise_left::by_whole) {
+            filter_along(positions, numbers.guide_smoothing, std::pair(whole, &result_images::mean),
+                         std::pair(first, &result_images::half_a), std::pair(second, &result_images::half_b));
+        } else {
+            filter_along(positions, numbers.guide_smoothing, std::pair(whole, &result_images::mean));
+            const auto filter_half = [&](const auto& half, auto to) {
+                const source along = half(Position{}) ? half(Position{}) : positions;
+                if (numbers.noise == noise_left::by_halves)
+                    filter_along(along, numbers.half_smoothing, std::pair(half, to));
+                else filter_along(along, numbers.half_smoothing, std::pair(whole, to));
+            };
+            memory.progress.enter(0.6f, 0.8f);
+            filter_half(first, &result_images::half_a);
+            memory.progress.enter(0.8f, 1);
+            filter_half(second, &result_images::half_b);
+        }
 
-        const float share = numbers.independent_halves ? share_of_halves() : 1;
+        const float share = numbers.noise == noise_left::by_positions ? 1 : share_of_halves();
         const image_view<float> squared = images.take(largest_feature);
         std::array<cleaned_feature, sizeof...(Feature)> cleaned;
         for (std::size_t i = 0; i < results.size(); ++i) {
@@ -117,7 +129,7 @@ private:
     result_images take_results(const Frame& in, G g, scratch_images& kept) const {
         result_images r;
         r.mean = kept.take(G::channels);
-        if (!(numbers.independent_halves ? has_halves(in, g) : has_halves(in, Position{}))) return r;
+        if (!(numbers.noise == noise_left::by_positions ? has_halves(in, Position{}) : has_halves(in, g))) return r;
         r.half_a = kept.take(G::channels);
         r.half_b = kept.take(G::channels);
         r.variance = kept.take(G::channels);

@@ -14,6 +14,14 @@
 
 namespace winnow::paper {
 
+/// What tells how much noise is left in a cleaned feature.
+enum class noise_left {
+    by_halves,     ///< each half of a feature along the positions of that half: a quarter of their squared difference
+    by_whole,      ///< both halves of a feature along the positions of the whole, likewise; in a third of the time
+    by_positions,  ///< as published: the whole feature along the positions of either half, and all of the squared
+                   ///< difference; that misses what noise of the feature the weights leave
+};
+
 struct sure_prefilter_numbers {
     int radius = 3;             ///< of the window, in pixels
     float samples = 8;          ///< in a pixel, for the covariance of its mean; a frame's sample_count goes before it
@@ -21,10 +29,7 @@ struct sure_prefilter_numbers {
     float guide_smoothing = 0;  ///< of the positions that guide the features: sigma in pixels
     float half_smoothing = 1;   ///< of those that guide each half
     float ridge = 1e-4f;        ///< see regularized_precision
-    /// Each half of a feature by the positions of that half, and a quarter of their squared difference is the variance
-    /// that is left.  Else, as in the paper, the whole feature by either, and all of it is: that misses what noise
-    /// of the feature the weights leave.
-    bool independent_halves = true;
+    noise_left noise = noise_left::by_halves;
 
     bool operator==(const sure_prefilter_numbers&) const = default;
     void check() const {
