@@ -79,9 +79,11 @@ public:
 
     box_sums(extent region, int radius) : region_(region), radius_(radius), pitch_(pitch(region.width + 2 * radius)) {}
 
-    /// From a row of so many values to the next, where lanes may begin at any of them.
+    /// From a row of so many values to the next, where lanes may begin at any of them.  An odd number of cache lines,
+    /// so that a column spreads over the sets of the cache.
     static std::ptrdiff_t pitch(int width) {
-        return std::ptrdiff_t{detail::ceil_div(width, Lanes::size) + 1} * Lanes::size;
+        constexpr int line = static_cast<int>(scratch_memory::alignment / sizeof(real));
+        return std::ptrdiff_t{detail::ceil_div(width + Lanes::size, line) | 1} * line;
     }
     /// How much memory it needs.
     std::size_t reals() const {
