@@ -17,7 +17,7 @@ struct open_guided {
 /// The albedo as a guide does what a division by it would do, and needs no care where it is dark or shines itself:  on
 /// real renders at 4 to 32 samples it was as good.  So few samples also want smaller windows than the library's.
 struct numbers : paper::guided_numbers {
-    numbers() : paper::guided_numbers{.radius = 2, .epsilon = 3e-4f} {}
+    numbers() : paper::guided_numbers{.radius = 2, .epsilon = least_epsilon} {}
 };
 
 int halo(const open_guided& f) { return halo(paper::guided{f.numbers}); }

@@ -55,15 +55,15 @@ void sum_windows(batches<const T> values, std::ptrdiff_t next, std::ptrdiff_t co
         length = longer;
     };
     using math::index;
-    int place = 1;
-    while (place <= n / 4) place *= 4;
+    int shift = 0;  // the digits of n, two bits each
+    while (n >> shift >= 4) shift += 2;
     if (n == 1)
         for (std::ptrdiff_t i = 0; i < count; i += values.step, to.data += to.step)
             Lanes::load(values.data + i).store(to.data);
-    if (n / place == 2) lengthened(index<2>{}, index<0>{});
-    if (n / place == 3) lengthened(index<3>{}, index<0>{});
-    for (place /= 4; place > 0; place /= 4) {
-        const int digit = n / place % 4;
+    if (n >> shift == 2) lengthened(index<2>{}, index<0>{});
+    if (n >> shift == 3) lengthened(index<3>{}, index<0>{});
+    while ((shift -= 2) >= 0) {
+        const int digit = n >> shift & 3;
         if (digit == 0) lengthened(index<4>{}, index<0>{});
         if (digit == 1) lengthened(index<4>{}, index<1>{});
         if (digit == 2) lengthened(index<4>{}, index<2>{});
@@ -79,9 +79,11 @@ public:
 
     box_sums(extent region, int radius) : region_(region), radius_(radius), pitch_(pitch(region.width + 2 * radius)) {}
 
-    /// From a row of so many values to the next, where lanes may begin at any of them.
+    /// From a row of so many values to the next, where lanes may begin at any of them.  An odd number of cache lines,
+    /// so that a column spreads over the sets of the cache.
     static std::ptrdiff_t pitch(int width) {
-        return std::ptrdiff_t{detail::ceil_div(width, Lanes::size) + 1} * Lanes::size;
+        constexpr int line = static_cast<int>(scratch_memory::alignment / sizeof(real));
+        return std::ptrdiff_t{detail::ceil_div(width + Lanes::size, line) | 1} * line;
     }
     /// How much memory it needs.
     std::size_t reals() const {

@@ -28,8 +28,8 @@ struct guided_numbers {
 template <class Guides, class Estimator = estimator::none>
 struct guided_of {
     static_assert(estimator_policy<Estimator>);
-    static_assert(!Estimator::needs_derivative,
-                  "the guided filter has no derivative; use filter.with(estimator::residual_variance{})");
+    static_assert(!Estimator::needs_derivative && !summing_estimator<Estimator>,
+                  "the guided filter has neither weights nor a derivative; use with(estimator::residual_variance{})");
     using reads = Guides;
 
     guided_numbers numbers{};
