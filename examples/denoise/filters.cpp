@@ -124,6 +124,7 @@ std::vector<filter_entry> all_filters() {
     all.back().unit_features = true;
     all.push_back(rdfc_entry());
     all.push_back(sbf_entry());
+    all.push_back(atrous_entry());
     return all;
 }
 
