@@ -3,6 +3,7 @@
 /// \file
 /// The core of winnow for one CPU thread.  Faster executors, papers, metrics and files have headers of their own:
 /// executor/{simd,openmp,pool}.hpp, paper/, metric/, io/.
+#include <winnow/distance/chessboard.hpp>
 #include <winnow/distance/combine.hpp>
 #include <winnow/distance/cross_feature.hpp>
 #include <winnow/distance/mahalanobis.hpp>
@@ -23,12 +24,15 @@
 #include <winnow/frame/frame.hpp>
 #include <winnow/frame/output.hpp>
 #include <winnow/image/image.hpp>
+#include <winnow/weight/b3_spline.hpp>
 #include <winnow/weight/combine.hpp>
 #include <winnow/weight/cutoff.hpp>
 #include <winnow/weight/exponential.hpp>
 #include <winnow/weight/gaussian.hpp>
 #include <winnow/weight/local_gaussian.hpp>
 #include <winnow/weight/patch_mean.hpp>
+#include <winnow/weight/shared.hpp>
+#include <winnow/window/a_trous.hpp>
 #include <winnow/window/disk.hpp>
 #include <winnow/window/space_time.hpp>
 #include <winnow/window/square.hpp>

@@ -144,6 +144,7 @@ private:
     void for_pairs(int x, int y, const F& f) const {
         for (int dy = -sweep_.window.reach(); dy <= sweep_.window.reach(); ++dy)
             for (int dx = -sweep_.window.half_width(dy); dx <= sweep_.window.half_width(dy); ++dx) {
+                if (const int step = winnow::step(sweep_.window); dx % step != 0 || dy % step != 0) continue;
                 const rectangle& r = tile_.region;
                 if (x + dx < r.x0 || x + dx >= r.x1 || y + dy < r.y0 || y + dy >= r.y1) continue;
                 const float* const q = tile_.at(0, x + dx, y + dy);

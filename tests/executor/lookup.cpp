@@ -5,6 +5,7 @@
 #include <winnow/weight/cutoff.hpp>
 #include <winnow/window/disk.hpp>
 #include "executor/agreement.hpp"
+#include "winnow/distance/chessboard.hpp"
 #include "winnow/distance/combine.hpp"
 #include "winnow/distance/cross_feature.hpp"
 #include "winnow/distance/noise_normalized.hpp"
@@ -15,6 +16,7 @@
 #include "winnow/weight/combine.hpp"
 #include "winnow/weight/exponential.hpp"
 #include "winnow/weight/gaussian.hpp"
+#include "winnow/weight/shared.hpp"
 
 using namespace winnow;
 using namespace winnow::test;
@@ -147,6 +149,11 @@ void check_mixtures(float tau_first, float tau_second, float tau_third) {
             check_together<Estimator>(true, size, window::square{.radius = 3}, rule,
                                       min(of_color(1), features(tau_first)), min(of_color(3), features(tau_second)),
                                       features(tau_third));
+            // As SBF has them: what depends on the offset alone beside weights that are shared.
+            const auto alike = shared(features(tau_first));
+            check_together<Estimator>(true, size, window::square{.radius = 3}, rule, gaussian(spatial, 1) * alike,
+                                      gaussian(spatial, 2) * cutoff(chessboard, 2) * alike,
+                                      shared(features(tau_second)) * cutoff(spatial, 5));
             // Shared distances inside sums and maxima with patches, which take places of their own before them.
             check_together<Estimator>(
                 false, size, window::disk{.radius = 3}, rule,

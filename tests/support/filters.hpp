@@ -24,6 +24,7 @@ any_filter guided(filter_numbers n = {});               ///< no sum of weights; 
 any_filter product_with_cutoff(filter_numbers n = {});  ///< 0 beyond a feature distance; a patch beside it
 any_filter max_and_sum(filter_numbers n = {});          ///< max and sum of distances
 any_filter disk(filter_numbers n = {});                 ///< a Gaussian blur over a disk
+any_filter with_holes(filter_numbers n = {});           ///< a patch over a window whose offsets are 2 apart
 any_filter opaque_patch(filter_numbers n = {});         ///< a patch hidden in a policy without decompose()
 any_filter patch_of_patch(filter_numbers n = {});
 any_filter mean_of_weights(filter_numbers n = {});   ///< over a patch, of a weight with a patch

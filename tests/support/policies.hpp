@@ -8,7 +8,7 @@
 
 namespace winnow::test {
 
-using distances = std::tuple<distance::spatial,                                                                      //
+using distances = std::tuple<distance::spatial, distance::chessboard,                                                //
                              distance::squared_difference<albedo_t>,                                                 //
                              distance::noise_normalized<color_t>,                                                    //
                              distance::cross_feature<normal_t>,                                                      //
@@ -19,6 +19,7 @@ using distances = std::tuple<distance::spatial,                                 
                              distance::sum_of<distance::noise_normalized<color_t>, distance::spatial>,               //
                              distance::mahalanobis<position_t>>;
 inline const distances distance_examples{spatial,
+                                         chessboard,
                                          l2(albedo),
                                          noise_normalized(color, {.k = 0.45f}),
                                          cross(normal, {.k = 0.6f, .tau = 1e-3f}),
@@ -30,6 +31,8 @@ inline const distances distance_examples{spatial,
                                          mahalanobis(position)};
 
 using weights = std::tuple<
+    weight::b3_spline,                                                                              //
+    weight::shared<weight::gaussian<distance::squared_difference<albedo_t>>>,                       //
     weight::gaussian<distance::spatial>,                                                            //
     weight::gaussian<distance::noise_normalized<color_t>>,                                          //
     weight::exponential<distance::squared_difference<albedo_t>>,                                    //
@@ -44,6 +47,8 @@ using weights = std::tuple<
     weight::product_of<weight::gaussian<distance::squared_difference<color_t>>, weight::cutoff<distance::spatial>>,  //
     weight::local_gaussian<distance::squared_difference<depth_t>, bandwidth_t>>;
 inline const weights weight_examples{
+    weight::b3_spline{.step = 2},
+    shared(gaussian(l2(albedo), 0.2f)),
     gaussian(spatial, 1.5f),
     gaussian(noise_normalized(color), 0.7f),
     exponential(l2(albedo)),
@@ -57,8 +62,8 @@ inline const weights weight_examples{
     gaussian(l2(color), 0.5f) * cutoff(spatial, 4),
     gaussian(l2(depth), bandwidth)};
 
-using windows = std::tuple<window::square, window::disk, window::space_time>;
-inline constexpr windows window_examples{{.radius = 3}, {.radius = 4}, {.radius = 2, .frames = 1}};
+using windows = std::tuple<window::square, window::disk, window::space_time, window::a_trous>;
+inline constexpr windows window_examples{{.radius = 3}, {.radius = 4}, {.radius = 2, .frames = 1}, {.level = 2}};
 
 using estimators = std::tuple<estimator::none, estimator::residual_variance, estimator::sure<>,
                               estimator::mahalanobis_sure<position_t>>;

@@ -13,7 +13,8 @@ namespace {
 std::set<std::pair<int, int>> offsets(const window_policy auto& window) {
     std::set<std::pair<int, int>> all;
     for (int dy = -window.reach(); dy <= window.reach(); ++dy)
-        for (int dx = -window.half_width(dy); dx <= window.half_width(dy); ++dx) all.emplace(dx, dy);
+        for (int dx = -window.half_width(dy); dx <= window.half_width(dy); ++dx)
+            if (dx % step(window) == 0 && dy % step(window) == 0) all.emplace(dx, dy);
     return all;
 }
 }  // namespace

@@ -2,20 +2,28 @@
 #pragma once
 /// \file
 /// Which parts of an expression an executor works out ahead, and what stands in their place: patches, because their
-/// sums cost less row by row, and distances that several weights of a sweep have in common.
+/// sums cost less row by row; distances and shared weights that several weights of a sweep have in common; weights that
+/// depend on the offset alone.
+#include <array>
 #include <winnow/executor/sweep.hpp>
 #include <winnow/frame/differential.hpp>
 
 namespace winnow {
 
-/// The offsets (first .. last - 1, dy), in this frame or another.
+/// The offsets (first, dy), (first + step, dy), ..., in this frame or another.
 struct offset_group {
     static constexpr int largest = 8;  ///< each takes a register for its weight
-    int first, last, dy;
+    int first, count, step, dy;
     std::ptrdiff_t to_frame = 0;  ///< from the planes of p's frame to those of q's, in floats
 
-    int size() const { return last - first; }
+    int size() const { return count; }
+    int dx(int i) const { return first + i * step; }
     bool other_frame() const { return to_frame != 0; }
+    /// Which of them is p itself; -1 for none.
+    int centre() const {
+        const bool within = !other_frame() && dy == 0 && first <= 0 && dx(count) > 0 && first % step == 0;
+        return within ? -first / step : -1;
+    }
     /// Where the first q lies.
     const float* q(const float* p, pitch step) const { return p + first + dy * step.row + to_frame; }
 };
@@ -58,6 +66,28 @@ inline constexpr bool is_looked_up<looked_up<Role, Slopes>> = true;
 
 template <class Node>
 struct found : std::bool_constant<is_looked_up<Node>> {};
+
+/// Stands where a weight stood that depends on the offset alone.
+struct looked_up_by_offset {
+    using role = winnow::role::weight;
+    using reads = planes<>;
+
+    int index;
+
+    template <class Real, class Planes>
+    WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
+        return pq.of_offset(index);
+    }
+};
+
+/// A weight that reads no buffer, and holds nothing that was worked out ahead from one.
+template <class Node>
+struct depends_on_offset_alone : std::bool_constant<false> {};
+template <class Node>
+requires(plays<Node, role::weight>&& Node::reads::count == 0 && !looks_around<Node> &&
+         std::tuple_size_v<decltype(collect<found>(std::declval<Node>()))> == 0) struct depends_on_offset_alone<Node>
+    : std::bool_constant<true> {
+};
 
 /// Places that a policy takes: its value, and its slopes where Varied, the buffer of the derivative, is among what it
 /// reads.
@@ -109,7 +139,14 @@ int leader(const std::tuple<Node...>& nodes, const N& node, int index) {
     return first;
 }
 
-/// Distances that more than one of these weights contain, and that do not change with the buffer of the derivative.
+/// A policy that says so itself: weight::shared.
+template <class Node>
+concept asks_to_be_shared = requires {
+    typename Node::shares;
+};
+
+/// Distances and shared weights that more than one of these weights contain, and that do not change with the buffer of
+/// the derivative.
 template <class Varied, class... Weights>
 struct repeated {
     template <class Node>
@@ -124,7 +161,8 @@ struct repeated {
     template <class Node>
     struct test : std::bool_constant<false> {};
     template <class Node>
-    requires(plays<Node, role::distance>&& Node::reads::count > 0 && !varies_with<Node, Varied> &&
+    requires((plays<Node, role::distance> || asks_to_be_shared<Node>)&&Node::reads::count > 0 &&
+             !varies_with<Node, Varied> &&
              std::tuple_size_v<decltype(collect<found>(std::declval<Node>()))> == 0) struct test<Node>
         : std::bool_constant<(occurrences<Node> > 1)> {
     };
@@ -149,10 +187,9 @@ public:
           first_(first) {
         // A place for each; those that are the same are read from the first of them.
         detail::for_each_node(nodes_, [&](const auto& node, int i) { leaders_[i] = detail::leader(nodes_, node, i); });
-        const auto redirect = [&]<class Node>(const Node& node) {
-            if constexpr (std::is_same_v<Node, detail::looked_up<role::distance, false>>)
-                if (node.index >= first_) return Node{first_ + leaders_[node.index - first_]};
-            return node;
+        const auto redirect = [&]<class Role, bool Slopes>(const detail::looked_up<Role, Slopes>& node) {
+            const bool shared = !Slopes && node.index >= first_;
+            return shared ? detail::looked_up<Role, Slopes>{first_ + leaders_[node.index - first_]} : node;
         };
         weights_ =
             std::apply([&](const auto&... w) { return std::tuple(rewrite<detail::found>(w, redirect)...); }, weights_);
@@ -177,6 +214,51 @@ private:
     decltype(detail::look_up_all<repeated, Varied>(std::declval<std::tuple<Weights...>>())) weights_;
     int first_;
     int leaders_[count + 1] = {};
+};
+
+/// The weights that depend on the offset alone, in weights whose patches are looked up already: evaluated once an
+/// offset.
+template <class Weights>
+class offset_weights {
+public:
+    explicit offset_weights(const Weights& weights)
+        : nodes_(detail::collect_all<detail::depends_on_offset_alone>(weights)), weights_(looked_up(weights)) {}
+
+    static constexpr int count =
+        std::tuple_size_v<decltype(detail::collect_all<detail::depends_on_offset_alone>(std::declval<Weights>()))>;
+
+    /// The weights with these looked up.
+    const auto& weights() const { return weights_; }
+
+    /// [offset][weight]: their values at each offset of a group, in the arithmetic of these lanes.
+    template <class Lanes>
+    auto table(const offset_group& offsets) const {
+        std::array<std::array<float, count>, offset_group::largest> values;
+        for (int i = 0; i < offsets.size(); ++i) {
+            const pixel_pair<Lanes, planes<>> pq(nullptr, nullptr, {}, offsets.dx(i), offsets.dy);
+            detail::for_each_node(nodes_, [&](const auto& node, std::size_t k) {
+                float all[Lanes::size];
+                node(pq).store(all);
+                values[static_cast<std::size_t>(i)][k] = all[0];
+            });
+        }
+        return values;
+    }
+
+private:
+    static auto looked_up(const Weights& weights) {
+        int next = 0;
+        const auto replace = [&next]<class Node>(const Node&) { return detail::looked_up_by_offset{next++}; };
+        return std::apply(
+            [&](const auto&... w) {
+                return std::tuple<decltype(rewrite<detail::depends_on_offset_alone>(w, replace))...>{
+                    rewrite<detail::depends_on_offset_alone>(w, replace)...};
+            },
+            weights);
+    }
+
+    decltype(detail::collect_all<detail::depends_on_offset_alone>(std::declval<Weights>())) nodes_;
+    decltype(looked_up(std::declval<Weights>())) weights_;
 };
 
 }  // namespace winnow

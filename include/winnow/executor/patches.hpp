@@ -96,8 +96,7 @@ public:
         detail::for_each_node(patches_, [&](const auto& patch, int index) {
             for (int i = 0; i < offsets.size(); ++i)
                 for (int x = 0; x < tile.x1 - tile.x0; ++x)
-                    share(memory, i, index)[x] =
-                        1.0f / pairs(tile.x0 + x, offsets.first + i, patch.radius, size_.width);
+                    share(memory, i, index)[x] = 1.0f / pairs(tile.x0 + x, offsets.dx(i), patch.radius, size_.width);
         });
         inner_.start(tile.grown(radius_), offsets, memory + own_floats());
     }
@@ -114,7 +113,7 @@ public:
             else sum_row<0, index>(radius, tile, offsets, y, memory);
             if constexpr (slopes < index >> 0)
                 for (int i = 0; i < offsets.size(); ++i)
-                    sum_slopes<index>(radius, tile, i, offsets.first + i, offsets.dy, y, memory);
+                    sum_slopes<index>(radius, tile, i, offsets.dx(i), offsets.dy, y, memory);
         });
     }
 
@@ -155,22 +154,24 @@ private:
                 lanes value[group], slope[2 * n + 1][group];
                 for (int i = 0; i < offsets.size(); ++i) {
                     const prepared ahead{inner_.at(memory + own_floats(), i, x), inner_.width()};
-                    const int dx = offsets.first + i;
+                    const int dx = offsets.dx(i);
                     if constexpr (n > 0) {
-                        const pixel_pair<differential<lanes, Varied>, Reads> pq(p, q + i, staged.step, dx, offsets.dy);
+                        const pixel_pair<differential<lanes, Varied>, Reads> pq(p, q + i * offsets.step, staged.step,
+                                                                                dx, offsets.dy);
                         const auto at_p = evaluated(pq.varying(true, false));
                         value[i] = at_p.value();
                         for (int c = 0; c < n; ++c) slope[c][i] = at_p.slope(c);
                     } else {
-                        value[i] = evaluated(pixel_pair<lanes, Reads>(p, q + i, staged.step, dx, offsets.dy, ahead));
+                        value[i] = evaluated(
+                            pixel_pair<lanes, Reads>(p, q + i * offsets.step, staged.step, dx, offsets.dy, ahead));
                     }
                 }
                 if constexpr (n > 0)
                     for (int i = 0; i < offsets.size(); ++i) {
                         for (int c = 0; c < n; ++c) slope[n + c][i] = lanes(0.0f);
-                        if (offsets.other_frame() || !near(offsets.first + i, offsets.dy, radius_)) continue;
-                        const pixel_pair<differential<lanes, Varied>, Reads> pq(p, q + i, staged.step,
-                                                                                offsets.first + i, offsets.dy);
+                        if (offsets.other_frame() || !near(offsets.dx(i), offsets.dy, radius_)) continue;
+                        const pixel_pair<differential<lanes, Varied>, Reads> pq(p, q + i * offsets.step, staged.step,
+                                                                                offsets.dx(i), offsets.dy);
                         const auto at_q = evaluated(pq.varying(false, true));
                         for (int c = 0; c < n; ++c) slope[n + c][i] = at_q.slope(c);
                     }
@@ -182,7 +183,8 @@ private:
                     for (int i = 0; i < offsets.size(); ++i)
                         for (int k = 0; k <= 2 * n; ++k) {
                             float* const of_pair = to + i * next + k * plane;
-                            (lanes::load(of_pair) * (lanes::load(p) * lanes::load(q + i))).store(of_pair);
+                            (lanes::load(of_pair) * (lanes::load(p) * lanes::load(q + i * offsets.step)))
+                                .store(of_pair);
                         }
             }
         });
@@ -270,7 +272,7 @@ private:
     bool covered(rectangle tile, offset_group offsets, int y) const {
         return std::min(y, y + offsets.dy) >= 0 && std::max(y, y + offsets.dy) < size_.height &&
                tile.x0 - radius_ + std::min(offsets.first, 0) >= 0 &&
-               tile.x1 + radius_ + std::max(offsets.last - 1, 0) <= size_.width;
+               tile.x1 + radius_ + std::max(offsets.dx(offsets.size() - 1), 0) <= size_.width;
     }
 
     static_assert(((!detail::looks_around<typename Patch::prepares> || detail::places_of<Patch, Varied> == 1) && ...),

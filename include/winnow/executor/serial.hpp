@@ -129,8 +129,8 @@ private:
         const int reach = window_reach(sweep, buffers.size);
         for (int f = 0; f < buffers.frames; ++f)
             for (int dy = -reach; dy <= reach; ++dy) {
-                const int half = window_half_width(sweep, buffers.size, dy);
-                for (int dx = -half; dx <= half; ++dx) add(f, dx, dy);
+                const window_row row = row_of_window(sweep, buffers.size, dy);
+                for (int i = 0; i < row.count; ++i) add(f, row.first + i * row.step, dy);
             }
         const bool weighted = total > Real(no_weight);
         for (int v = 0; v < values; ++v) results[v] = weighted ? results[v] / total : value(v, x, y);

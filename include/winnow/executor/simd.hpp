@@ -42,25 +42,27 @@ struct offset_major {
         const staged_tile staged{tile.grown(memory.margin), memory.planes, memory.step};
         stage(sweep, buffers, staged);
         float* const behind = memory.planes + memory.step.row * staged.region.size().height;
-        std::fill(behind, behind + lanes::size + group, 0.0f);
+        std::fill(behind, behind + lanes::size + group * window_step(sweep), 0.0f);
         std::fill(memory.sums, memory.sums + memory.sums_count, 0.0f);
 
         const auto ahead = patches_of(sweep, buffers, memory.tile);
         const auto shared = shared_of(sweep);
+        const offset_weights of_offset(shared.weights());
         const int values = static_cast<int>(buffers.values.size());
         const int reach = window_reach(sweep, buffers.size);
         for (int f = 0; f < buffers.frames; ++f) {
             const std::ptrdiff_t to_frame = f * planes_of_frame<Sweep>(buffers) * memory.step.plane;
             for (int dy = -reach; dy <= reach; ++dy) {
-                const int half = window_half_width(sweep, buffers.size, dy);
-                const int groups = detail::ceil_div(2 * half + 1, group);
+                const window_row row = row_of_window(sweep, buffers.size, dy);
+                const int groups = detail::ceil_div(row.count, group);
                 for (int g = 0; g < groups; ++g) {
-                    const offset_group offsets{-half + (2 * half + 1) * g / groups,
-                                               -half + (2 * half + 1) * (g + 1) / groups, dy, to_frame};
+                    const int begin = row.count * g / groups, end = row.count * (g + 1) / groups;
+                    const offset_group offsets{row.first + begin * row.step, end - begin, row.step, dy, to_frame};
                     ahead.start(tile, offsets, memory.patches);
+                    const auto table = of_offset.template table<lanes>(offsets);
                     for (int y = tile.y0; y < tile.y1; ++y) {
                         ahead.row(staged, tile, offsets, y, memory.patches);
-                        accumulate(sweep, shared, values, memory, staged, tile, offsets, y, ahead);
+                        accumulate(sweep, shared, of_offset, table, values, memory, staged, tile, offsets, y, ahead);
                     }
                 }
             }
@@ -101,7 +103,7 @@ private:
             return part;
         };
         // Behind the last row there is room for a last batch and a last group.
-        m.planes = take(m.step.row * (m.tile.height + 2 * m.margin) + lanes::size + group);
+        m.planes = take(m.step.row * (m.tile.height + 2 * m.margin) + lanes::size + group * window_step(sweep));
         m.sums_count = std::ptrdiff_t{Sweep::count * sums_of_weight<Sweep>(values)} * m.tile.width * m.tile.height;
         m.sums = take(m.sums_count);
         m.patches = take(ahead.floats());
@@ -133,22 +135,30 @@ private:
         return 1 + values + 2 * detail::channels_of<varied_in<Sweep>> + sums_in<Sweep>;
     }
 
+    /// Whether any does.
+    template <class Sweep>
+    static constexpr bool any_varies = []<int... K>(std::integer_sequence<int, K...>) {
+        return (varies<Sweep, K> || ...);
+    }
+    (std::make_integer_sequence<int, Sweep::count>{});
+
     /// Adds the neighbours at the offsets to the sums of row y.
-    template <class Sweep, class Shared, class Ahead>
-    static void accumulate(const Sweep& sweep, const Shared& shared, int values, const parts& memory,
-                           const staged_tile& staged, rectangle tile, offset_group offsets, int y, const Ahead& ahead) {
+    template <class Sweep, class Shared, class OfOffset, class Table, class Ahead>
+    static void accumulate(const Sweep& sweep, const Shared& shared, const OfOffset& of_offset, const Table& table,
+                           int values, const parts& memory, const staged_tile& staged, rectangle tile,
+                           offset_group offsets, int y, const Ahead& ahead) {
         using reads = typename Sweep::reads;
         using varied = varied_in<Sweep>;
         constexpr int channels = detail::channels_of<varied>;
         const std::ptrdiff_t next = std::ptrdiff_t{memory.tile.width} * memory.tile.height, plane = memory.step.plane;
-        const bool has_centre = !offsets.other_frame() && offsets.dy == 0 && offsets.first <= 0 && 0 < offsets.last;
-        const int centre = has_centre ? -offsets.first : -1;
+        const int centre = offsets.centre();
         for (int x = 0; x < tile.x1 - tile.x0; x += lanes::size) {
             const float* p = staged.at(0, tile.x0 + x, y);
             const float* q = offsets.q(p, staged.step);
             const auto pair = [&]<class Real>(std::type_identity<Real>, int i) WINNOW_HD_LAMBDA {
-                return pixel_pair<Real, reads>(p, q + i, staged.step, offsets.first + i, offsets.dy,
-                                               prepared{ahead.at(memory.patches, i, x), ahead.width()});
+                return pixel_pair<Real, reads>(
+                    p, q + i * offsets.step, staged.step, offsets.dx(i), offsets.dy,
+                    prepared{ahead.at(memory.patches, i, x), ahead.width(), table[static_cast<std::size_t>(i)].data()});
             };
             // Both at once, because terms are often made of the same parts as distances, and stored last: stores would
             // keep what depends on p alone from being computed once.
@@ -161,7 +171,7 @@ private:
                 if constexpr (terms > 0) {
                     lanes of_pair[terms];
                     sweep.estimator.terms(pair(std::type_identity<lanes>{}, i), of_pair);
-                    const lanes covered = lanes::load(q + i);
+                    const lanes covered = lanes::load(q + i * offsets.step);
                     for (int k = 0; k < terms; ++k) term[k][i] = of_pair[k] * covered;
                 }
             }
@@ -172,7 +182,7 @@ private:
 
             lanes w[Sweep::count][group], dw[channels + 1][Sweep::count][group];
             float* sums[Sweep::count];
-            detail::for_each_node(shared.weights(), [&](const auto& weight, auto k) WINNOW_HD_LAMBDA {
+            detail::for_each_node(of_offset.weights(), [&](const auto& weight, auto k) WINNOW_HD_LAMBDA {
                 sums[k] =
                     memory.sums + k * sums_of_weight<Sweep>(values) * next + (y - tile.y0) * memory.tile.width + x;
                 for (int i = 0; i < offsets.size(); ++i)
@@ -195,11 +205,12 @@ private:
             const float* const value = q + (1 + reads::count) * plane;
             const auto add_plane = [&](const auto& weights, const float* u, std::ptrdiff_t to) WINNOW_HD_LAMBDA {
                 add(
-                    weights, [&](int i) WINNOW_HD_LAMBDA { return lanes::load(u + i); }, sums, to * next);
+                    weights, [&](int i) WINNOW_HD_LAMBDA { return lanes::load(u + i * offsets.step); }, sums,
+                    to * next);
             };
             add_plane(w, q, 0);  // the coverage: only neighbours that exist count
             for (int v = 0; v < values; ++v) add_plane(w, value + v * plane, 1 + v);
-            for (int c = 0; c < channels; ++c) {
+            for (int c = 0; c < (any_varies<Sweep> ? channels : 0); ++c) {
                 add_plane(dw[c], q, 1 + values + 2 * c);
                 add_plane(dw[c], value + c * plane, 2 + values + 2 * c);
             }

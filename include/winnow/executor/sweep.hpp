@@ -123,6 +123,23 @@ int window_half_width(const Sweep& s, extent size, int dy) {
     return s.rule == border::clip ? std::min(half, std::max(size.width, size.height)) : half;
 }
 
+/// How far apart its offsets are.
+template <class Sweep>
+int window_step(const Sweep& s) {
+    if constexpr (requires { s.window.step(); }) return s.window.step();
+    else return 1;
+}
+
+/// The offsets of the window in one row: first, first + step, ..., as many as `count`.
+struct window_row {
+    int first, count, step;
+};
+template <class Sweep>
+window_row row_of_window(const Sweep& s, extent size, int dy) {
+    const int step = window_step(s), half = dy % step == 0 ? window_half_width(s, size, dy) : -1;
+    return half < 0 ? window_row{0, 0, step} : window_row{-(half / step) * step, 2 * (half / step) + 1, step};
+}
+
 /// How far beyond a pixel its weights look, besides the window.
 template <class Window, class Estimator, class... Weights>
 int weight_reach(const sweep<Window, Estimator, Weights...>& s) {

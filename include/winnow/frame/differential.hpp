@@ -187,6 +187,7 @@ public:
     }
     WINNOW_HD real covered() const { return plain_.covered(); }
     WINNOW_HD real ahead(int index) const { return plain_.ahead(index); }
+    WINNOW_HD real of_offset(int index) const { return plain_.of_offset(index); }
     /// What the executor worked out ahead together with its slopes, in the places after `index`.
     WINNOW_HD real ahead_with_slopes(int index) const {
         real x = plain_.ahead(index);

@@ -16,10 +16,12 @@ struct pitch {
     std::ptrdiff_t row = 0;
 };
 
-/// Distances that an executor has worked out ahead for one offset, `plane` floats apart (see `patch`).
+/// What an executor has worked out ahead for one offset: values of this pair, `plane` floats apart (see `patch`), and
+/// values that are the same for all pairs.
 struct prepared {
     const float* data = nullptr;
     std::ptrdiff_t plane = 0;
+    const float* of_offset = nullptr;
 };
 
 /// A pixel p and its neighbour q = p + offset, with the buffers in the list Planes.  Real is float, double or a batch
@@ -57,6 +59,8 @@ public:
 
     /// The distance that the executor worked out ahead and put into place `index`.
     WINNOW_HD Real ahead(int index) const { return load(ahead_.data + index * ahead_.plane); }
+    /// The same where it depends on the offset alone.
+    WINNOW_HD Real of_offset(int index) const { return Real(ahead_.of_offset[index]); }
 
 private:
     template <class G>

@@ -4,6 +4,7 @@
 /// What SBF chooses from: banks of filters that differ in one bandwidth.
 /// Li, Wu, Chuang, "SURE-based Optimization for Adaptive Sampling and Reconstruction", 2012, sections 4 and 5.
 #include <array>
+#include <winnow/distance/chessboard.hpp>
 #include <winnow/distance/patch.hpp>
 #include <winnow/distance/spatial.hpp>
 #include <winnow/distance/squared_difference.hpp>
@@ -11,7 +12,9 @@
 #include <winnow/estimator/sure.hpp>
 #include <winnow/filter/candidates.hpp>
 #include <winnow/weight/combine.hpp>
+#include <winnow/weight/cutoff.hpp>
 #include <winnow/weight/gaussian.hpp>
+#include <winnow/weight/shared.hpp>
 
 namespace winnow::paper {
 
@@ -50,7 +53,8 @@ auto make_candidates(const Make& make) {
     (std::make_index_sequence<Count>{});
 }
 
-/// The cross bilateral filter at several scales: w = exp(-|p - q|^2 / (2 s^2)) times the weights of the features.
+/// The cross bilateral filter at several scales s: w = exp(-|p - q|^2 / (2 s^2)) times the weights of the features, as
+/// far as 2 s along both axes.
 /// With more than one setting of the features, each at every scale.
 template <class Features, std::size_t Settings = 1>
 struct cross_bilateral_bank {
@@ -77,7 +81,7 @@ struct cross_bilateral_bank {
 private:
     float largest() const { return std::max({scales[0], scales[1], scales[2]}); }
     static auto cross_bilateral(float scale, const sbf_features& features, float of_window) {
-        return filter{gaussian(spatial, scale) * features.weight(Features{}),
+        return filter{gaussian(spatial, scale) * cutoff(chessboard, 2 * scale) * shared(features.weight(Features{})),
                       window::square{.radius = static_cast<int>(2 * of_window)}};
     }
     static void check(float scale) {

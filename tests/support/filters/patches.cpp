@@ -11,6 +11,7 @@
 #include <winnow/weight/exponential.hpp>
 #include <winnow/weight/gaussian.hpp>
 #include <winnow/weight/patch_mean.hpp>
+#include <winnow/window/a_trous.hpp>
 #include <winnow/window/disk.hpp>
 
 namespace winnow::test {
@@ -56,6 +57,12 @@ auto opaque_in_patch(filter_numbers n) {
 }
 }  // namespace
 
+any_filter with_holes(filter_numbers n) {
+    return erase("holes", filter{gaussian(spatial, 3) * patch_with(n).weight * gaussian(l2(albedo), 0.3f),
+                                 window::a_trous{.level = 1, .radius = n.radius}}
+                              .with(n.border));
+}
+
 any_filter opaque_patch(filter_numbers n) {
     return erase(
         "opaque patch",
@@ -98,23 +105,12 @@ any_filter two_patches(filter_numbers n) {
 }
 
 std::vector<any_filter> all_filters(filter_numbers n) {
-    return {joint_bilateral(n),
-            bilateral(n),
-            nlm(n),
-            nlm_with_error(n),
-            nlm_dual_buffer(n),
-            nlm_as_released(n),
-            rdfc_candidate(n),
-            max_and_sum(n),
-            disk(n),
-            opaque_patch(n),
-            patch_of_patch(n),
-            mean_of_weights(n),
-            two_patches(n),
-            three_candidates(n),
-            unlike_candidates(n),
-            product_with_cutoff(n),
-            guided(n)};
+    return {joint_bilateral(n),     bilateral(n),        nlm(n),
+            nlm_with_error(n),      nlm_dual_buffer(n),  nlm_as_released(n),
+            rdfc_candidate(n),      max_and_sum(n),      disk(n),
+            opaque_patch(n),        patch_of_patch(n),   mean_of_weights(n),
+            two_patches(n),         three_candidates(n), unlike_candidates(n),
+            product_with_cutoff(n), guided(n),           with_holes(n)};
 }
 
 std::string to_string(const how& h) {
