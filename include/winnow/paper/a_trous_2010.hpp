@@ -57,7 +57,7 @@ struct a_trous_of<planes<Feature...>> {
     template <frame_with<reads> Frame, executor_policy Executor>
     void operator()(const Frame& in, const output& out, const Executor& executor, workspace& memory) const {
         const extent size = check(in, out);
-        scratch_images images(memory, size, 2 * planes_of(out));
+        scratch_images images(memory.images, size, 2 * planes_of(out));
         const pass_runner passes(executor, memory);
         level_images from = take(images, out), to = take(images, out);
         if (numbers.demodulate) divide(in, out, from, passes);
