@@ -133,7 +133,7 @@ private:
                 for (int v = 0; v < values; ++v)
                     for (int x = tile.x0; x < tile.x1; ++x)
                         results[v * tile.size().width + x - tile.x0] = static_cast<float>(predicted(v, x, y));
-                write_row(buffers, f.estimator, f, 0, tile, y,
+                write_row(buffers, f.estimator, 0, tile, y,
                           guided_row{buffers, results, tile.size().width, tile.x0, y});
             }
         }

@@ -108,7 +108,7 @@ private:
                 predict(v);
             }
             for (int y = tile.y0; y < tile.y1; ++y)
-                write_row(buffers, f.estimator, f, 0, tile, y,
+                write_row(buffers, f.estimator, 0, tile, y,
                           guided_row{buffers, results.at(0, 0, y - tile.y0), results.plane, tile.x0, y});
         }
 
