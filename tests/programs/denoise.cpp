@@ -115,7 +115,7 @@ const std::vector<std::string> all_filters{"bilateral --set radius=4",
                                            "nlm --set radius=4 --set patch_radius=2",
                                            "nlm_dual --set radius=4 --set patch_radius=2",
                                            "rdfc_candidate --set radius=4 --set patch_radius=1",
-                                           "guided --set radius=2",
+                                           "guided --set radius=4",
                                            "rdfc --set radius=4 --set feature_radius=2"};
 
 /// How many pixels differ, of those for which where(x, y).
