@@ -21,7 +21,7 @@ using sure_prefilter::cleaning;
 using sure_prefilter::cleaning_names;
 
 constexpr int seeds = 3;
-const std::vector<std::string> filters{"sbf", "wlr", "rdfc", "atrous", "guided"};
+const std::vector<std::string> filters{"sbf", "rdfc", "atrous", "guided"};
 
 /// Errors by seed.
 using errors = std::vector<double>;

@@ -10,9 +10,10 @@ using paper::sbf;
 
 // The typedef is the expression.
 static_assert(std::is_same_v<decltype(sbf{}.bank.candidate(0)),
-                             decltype(filter{gaussian(spatial, 1) * (gaussian(standardized(albedo), 0.25f) *
-                                                                     (gaussian(standardized(normal), 0.8f) *
-                                                                      gaussian(standardized(depth), 0.6f))),
+                             decltype(filter{gaussian(spatial, 1) * cutoff(chessboard, 2) *
+                                                 shared((gaussian(standardized(albedo), 0.25f) *
+                                                         (gaussian(standardized(normal), 0.8f) *
+                                                          gaussian(standardized(depth), 0.6f)))),
                                              window::square{.radius = 8}})>);
 
 namespace {
@@ -136,7 +137,7 @@ TEST_CASE("SBF: features that are all noise are ignored: the Gaussian average") 
     buffers in = make_buffers(size);
     for (image<>* i : {&in.albedo_variance, &in.normal_variance, &in.depth_variance})
         *i = fill(size, i->channels(), [](int, int, int) { return 1e12; });
-    const filter blur{gaussian(spatial, 1), window::square{.radius = 4}};
+    const filter blur{gaussian(spatial, 1), window::square{.radius = 2}};
     sbf same = small();
     same.bank.scales = {1, 1, 2};
     image<> expected(size, 3), found(size, 3);

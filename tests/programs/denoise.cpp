@@ -116,6 +116,8 @@ const std::vector<std::string> all_filters{"bilateral --set radius=4",
                                            "nlm_dual --set radius=4 --set patch_radius=2",
                                            "rdfc_candidate --set radius=4 --set patch_radius=1",
                                            "guided --set radius=4",
+                                           "sbf --set scale=0.5 --set smoothing=1",
+                                           "atrous --set levels=2",
                                            "rdfc --set radius=4 --set feature_radius=2"};
 
 /// How many pixels differ, of those for which where(x, y).
@@ -140,8 +142,8 @@ bool same_channels(const io::exr_image& a, const io::exr_image& b, const std::ve
 TEST_CASE("the list names every filter at the beginning of a line, with its layers and numbers") {
     const outcome o = denoise("--list");
     CHECK(o.code == 0);
-    for (const char* name :
-         {"bilateral ", "joint_bilateral ", "nlm ", "nlm_dual ", "rdfc_candidate ", "guided ", "rdfc "})
+    for (const char* name : {"bilateral ", "joint_bilateral ", "nlm ", "nlm_dual ", "rdfc_candidate ", "guided ",
+                             "rdfc ", "sbf ", "atrous "})
         CHECK(("\n" + o.out).find(std::string("\n") + name) != std::string::npos);
     CHECK(o.out.find("needs color, albedo, normal") != std::string::npos);
     CHECK(o.out.find("--set radius=10") != std::string::npos);

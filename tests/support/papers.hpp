@@ -4,6 +4,7 @@
 /// The papers' filters, with any numbers, as any_filter.
 #include <support/any_filter.hpp>
 #include <winnow/estimator/residual_variance.hpp>
+#include <winnow/paper/a_trous_2010.hpp>
 #include <winnow/paper/guided_2010.hpp>
 #include <winnow/paper/joint_bilateral.hpp>
 #include <winnow/paper/nlm_2012.hpp>
@@ -19,6 +20,7 @@ any_filter erased(const paper::nlm_2012& f);
 any_filter erased(const paper::nlm_2012_released& f);
 any_filter erased(const paper::rdfc_candidate& f);
 any_filter erased(const paper::sbf& f);
+any_filter erased(const paper::a_trous_of<planes<normal_t, depth_t>>& f);
 
 any_filter erased(const paper::guided& f);
 using guided_by_color = paper::guided_of<planes<color_t>>;

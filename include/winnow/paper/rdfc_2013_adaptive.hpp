@@ -7,18 +7,12 @@
 #include <winnow/distance/noise_normalized.hpp>
 #include <winnow/distance/patch.hpp>
 #include <winnow/filter/filter.hpp>
-#include <winnow/image/image.hpp>
+#include <winnow/paper/sampling_density.hpp>
 #include <winnow/weight/exponential.hpp>
 
 namespace winnow::paper {
 
-/// What a filter has said about each of its pixels p.
-struct rdfc_outcome {
-    source filtered;       ///< F, of any number of channels
-    source squared_error;  ///< estimate of E (F - truth)^2, channel by channel; may be negative, as SURE is
-    source weights;        ///< S(p) = sum_q w(p,q)
-    source samples;        ///< n: the weighted mean of the counts, sum_q w(p,q) n_q / S(p); or the pixel's own count
-};
+using rdfc_outcome = filter_outcome;
 
 /// How many samples stand behind a filtered pixel already.
 enum class samples_behind {
@@ -61,37 +55,11 @@ public:
 
     /// relMSE W of each pixel, not averaged: as noisy as the estimate of the error.
     image<float> unsmoothed(const rdfc_outcome& of) const {
-        check(of);
-        image<float> raw(of.filtered.size);
-        for (int y = 0; y < raw.size().height; ++y)
-            for (int x = 0; x < raw.size().width; ++x) {
-                double error = 0, square = 0;
-                for (int c = 0; c < of.filtered.channels; ++c) {
-                    const double f = of.filtered.channel(c).at(x, y);
-                    error += of.squared_error.channel(c).at(x, y);
-                    square += f * f;
-                }
-                const double relative = error / (square + double{epsilon} * of.filtered.channels);
-                const double support = of.weights.at(x, y), n = of.samples.at(x, y);
-                const double samples = behind == samples_behind::filter ? support * n : n;
-                const double rho = relative * support / (1 + samples);
-                raw.at(x, y) = static_cast<float>(rho < 0 ? 0 : rho);
-            }
-        return raw;
-    }
-
-private:
-    void check(const rdfc_outcome& of) const {
-        if (!(epsilon > 0)) fail("the density's epsilon is " + std::to_string(epsilon) + ", it must be above 0");
-        const auto fits = [&](const char* what, const source& plane, int channels) {
-            if (plane.size != of.filtered.size || plane.channels != channels)
-                fail(std::string(what) + " is " + to_string(plane.size) + " with " + std::to_string(plane.channels) +
-                     " channels, not " + to_string(of.filtered.size) + " with " + std::to_string(channels));
-        };
-        if (of.filtered.channels < 1) fail("the filtered image has no channels");
-        fits("the squared error", of.squared_error, of.filtered.channels);
-        fits("the sum of weights", of.weights, 1);
-        fits("the number of samples", of.samples, 1);
+        return density_of(of, epsilon, [&](int x, int y, double error, double square) {
+            const double support = of.weights.at(x, y), n = of.samples.at(x, y);
+            const double samples = behind == samples_behind::filter ? support * n : n;
+            return error / square * support / (1 + samples);
+        });
     }
 };
 
