@@ -46,8 +46,8 @@ void run(const open_guided& f, const job& j) {
 filter_entry guided_entry() {
     using G = numbers;
     filter_entry e = entry<G>(
-        "guided", "in every window a linear function of albedo, normal and depth",
-        {"color", "albedo", "normal"}, {"depth", "position"},
+        "guided", "in every window a linear function of albedo, normal and depth", {"color", "albedo", "normal"},
+        {"depth", "position"},
         {{"radius", &G::radius, 0, 100, "of the windows, in pixels; a pixel is filtered from twice as far"},
          {"epsilon", &G::epsilon, double{G::least_epsilon}, 1e6, "variance below which a feature explains nothing"}},
         [](const G& n, const scene_facts& about) {

@@ -153,6 +153,7 @@ void write_output(const options& o, const scene& s, const results& r, const std:
     file.set_attribute("winnow:version", WINNOW_VERSION);
     file.set_attribute("winnow:filter", o.filter);
     file.set_attribute("winnow:numbers", numbers);
+    if (!o.prefilter.empty()) file.set_attribute("winnow:prefilter", o.prefilter);
     io::write_exr(o.output, file);
 }
 

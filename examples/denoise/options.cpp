@@ -5,6 +5,7 @@
 #include <support/command_line.hpp>
 
 #include "filters.hpp"
+#include "prefilter.hpp"
 
 namespace denoise {
 
@@ -48,6 +49,9 @@ void list_filters() {
             std::cout << "    --set " << n.name << "=" << n.shown(n.initial) << "  " << n.summary << " ("
                       << n.shown(n.lowest) << " to " << n.shown(n.highest) << ")\n";
     }
+    std::cout << "\nBefore any of them, --prefilter cleans the features:\n";
+    for (const prefilter_entry& f : prefilters())
+        std::cout << f.name << std::string(18 - f.name.size(), ' ') << f.summary << '\n';
 }
 
 }  // namespace
@@ -65,7 +69,7 @@ std::optional<options> parse(int argc, const char* const* argv) {
     app.add_option("--prefilter", o.prefilter,
                    "Cleans the features first: sure (needs positions, of several renders or with their covariance), "
                    "nlm or bilateral");
-    app.add_flag("--list", list, "Names all filters, the layers that each needs and its numbers");
+    app.add_flag("--list", list, "Names all filters, the layers that each needs and its numbers, and all pre-filters");
     app.add_option("--set", set, "key=value: a number of the filter")->allow_extra_args(false);
     app.add_option("--map", map, "NAME=LAYER: the layer of the file that holds NAME")->allow_extra_args(false);
     app.add_option("--outliers", o.outliers, "on or off (on): takes fireflies out first; needs halves")

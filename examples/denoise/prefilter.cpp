@@ -56,7 +56,6 @@ const std::vector<prefilter_entry>& prefilters() {
                         sure f;
                         f.numbers.samples = samples;
                         f.numbers.guide_smoothing = 0.5f;
-                        if (getenv("NL")) f.numbers.noise = paper::noise_left(std::atoi(getenv("NL")));
                         return f;
                     }),
         entry<nlm>("nlm", "where its surroundings are alike but for noise", false, [](float) { return nlm{}; }),
