@@ -17,6 +17,7 @@ using namespace winnow;
 inline image<float> rgb({8, 8}, 3), texture({8, 8}, 3), normals({8, 8}, 3), z({8, 8}), noise({8, 8}, 3),
     result({8, 8}, 3);
 inline image<float> first({8, 8}, 3), second({8, 8}, 3), feature_noise({8, 8}, 3), error({8, 8}, 3);
+inline image<float> where({8, 8}, 3), spread({8, 8}, 6);
 
 // A renderer's sample, and the filter of the first snippet.
 struct path {
