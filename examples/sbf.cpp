@@ -16,7 +16,7 @@ int main() {
     image<> truth(size, 3), noisy(size, 3), noise(size, 3), texture(size, 3), exact(size, 3), result(size, 3);
     image<> error(size, 3), chosen(size, 1);
     std::mt19937 random(7);
-    std::normal_distribution<float> normal;
+    std::normal_distribution<float> deviate;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             for (int c = 0; c < 3; ++c) {
@@ -25,7 +25,7 @@ int main() {
                 const bool lit = x > 160 || (x / 4 + y / 4) % 2 == 0;
                 truth.at(x, y, c) = texture.at(x, y, c) * (lit ? 1.0f : 0.2f);
                 const float sigma = 0.15f;
-                noisy.at(x, y, c) = truth.at(x, y, c) + sigma * normal(random);
+                noisy.at(x, y, c) = truth.at(x, y, c) + sigma * deviate(random);
                 noise.at(x, y, c) = sigma * sigma;
             }
 

@@ -7,11 +7,9 @@
 
 int main(int argc, char** argv) {
     using namespace winnow;
-    // Where two candidates are equally good, lanes and the definition may choose differently.
-    const double a_choice = 0.3;
-    benchmarks::add_pipeline("SBF, scales 1 2 4", paper::sbf{}, false, a_choice);
-    benchmarks::add_pipeline("SBF with halves", paper::sbf{}, true, a_choice);
-    benchmarks::add_pipeline("SBF, two settings", paper::sbf_automatic{}, false, a_choice);
+    benchmarks::add_pipeline("SBF, scales 1 2 4", paper::sbf{}, false, 2e-5);
+    benchmarks::add_pipeline("SBF with halves", paper::sbf{}, true, 2e-5);
+    benchmarks::add_pipeline("SBF, two settings", paper::sbf_automatic{}, false, 2e-5);
     benchmarks::add_pipeline("smoothing of errors, 17x17", paper::sbf{}.bank.smoothing(), false, 2e-5);
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();

@@ -19,7 +19,6 @@ static_assert(std::is_same_v<decltype(sbf{}.bank.candidate(0)),
 namespace {
 
 constexpr extent size{35, 23};
-constexpr executor_kind kinds[] = {executor_kind::serial_double, executor_kind::simd};
 
 sbf small(float finest = 0.5f) {
     sbf f;

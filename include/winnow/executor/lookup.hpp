@@ -25,7 +25,7 @@ struct offset_group {
         return within ? -first / step : -1;
     }
     /// Where the first q lies.
-    const float* q(const float* p, pitch step) const { return p + first + dy * step.row + to_frame; }
+    const float* q(const float* p, pitch of) const { return p + first + dy * of.row + to_frame; }
 };
 
 namespace detail {
