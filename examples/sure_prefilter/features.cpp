@@ -82,7 +82,8 @@ void clean(cleaning how, named_layers& frame, int samples, int threads, workspac
             break;
         case cleaning::sure: {
             paper::sure_prefilter_of<features, rest_position_t, noise::anisotropic> f;
-            f.numbers.guide_smoothing = 0.5f;
+            f.numbers.guide_smoothing = getenv("GS") ? float(atof(getenv("GS"))) : 0.5f;
+            f.numbers.restraint = getenv("RE") ? float(atof(getenv("RE"))) : 2.0f;
             along_positions(f);
             break;
         }

@@ -28,14 +28,20 @@ denoise::scene scene_of(const simulator::result& render, int samples);
 void clean(cleaning how, winnow::named_layers& frame, int samples, int threads, winnow::workspace& memory,
            const winnow::target& bandwidths = {});
 
-/// The filter of that name, with its own numbers, on cleaned features.
+/// A filter of denoise by its name, and the numbers that differ from its own.
+struct chosen_filter {
+    std::string name;
+    std::vector<std::pair<std::string, std::string>> set;
+};
+
+/// A filter on cleaned features.
 struct filtered {
     winnow::image<float> color;
     std::array<winnow::image<float>, 3> features;  ///< albedo, normal, depth, in unit range
     winnow::image<float> bandwidths;
     double clean_seconds = 0, filter_seconds = 0;
 };
-filtered filter(const denoise::scene& render, const std::string& filter, cleaning how, int samples, int threads,
+filtered filter(const denoise::scene& render, const chosen_filter& filter, cleaning how, int samples, int threads,
                 winnow::workspace& memory);
 
 /// Albedo, normal and depth of another render of the same frame in the unit range of this one.

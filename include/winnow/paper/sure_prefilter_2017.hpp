@@ -5,6 +5,7 @@
 /// world positions, as far as Stein's estimate of the error of a position says.
 /// Moon, Iglesias-Guitian, McDonagh, Mitchell, "Noise Reduction on G-Buffers for Monte Carlo Filtering", 2017.
 #include <winnow/filter/clean_feature.hpp>
+#include <winnow/filter/restraint.hpp>
 #include <winnow/paper/sure_prefilter_2017_bandwidth.hpp>
 #include <winnow/weight/local_gaussian.hpp>
 
@@ -95,6 +96,7 @@ struct sure_prefilter_of<planes<Feature...>, Position, Noise> {
             const result_images& r = results[i];
             cleaned[i].mean = r.mean;
             if (!r.half_a.data) continue;
+            if (numbers.restraint > 0) restrain_feature(passes, in, i, r, images);
             passes.residual_variance(r.half_a, r.half_b, share, squared.channel(0, r.mean.channels), r.variance);
             cleaned[i] = {r.mean, r.variance, r.half_a, r.half_b};
         }
@@ -118,7 +120,7 @@ struct sure_prefilter_of<planes<Feature...>, Position, Noise> {
     static constexpr int largest_feature = std::max({Feature::channels...});
     /// Planes of the workspace that a run takes, beside those of its results.
     static constexpr int scratch_planes =
-        6 + 1 + std::max(position_bandwidth<Position, Noise>::scratch_planes, 3 + largest_feature);
+        6 + 1 + std::max(position_bandwidth<Position, Noise>::scratch_planes, 3 + largest_feature + 4);
 
 private:
     /// The halves and the variance are empty where they are not known.
@@ -134,6 +136,19 @@ private:
         r.half_b = kept.take(G::channels);
         r.variance = kept.take(G::channels);
         return r;
+    }
+
+    /// Of the index-th feature.
+    template <class Passes, class Frame>
+    void restrain_feature(const Passes& passes, const Frame& in, std::size_t index, const result_images& r,
+                          const scratch_images& images) const {
+        std::size_t i = 0;
+        const auto restrain_one = [&](auto g) {
+            if (i++ == index && has_halves(in, g))
+                restrain(passes, in.find(g), in.find(first_half(g)), in.find(second_half(g)), r.mean, r.half_a,
+                         r.half_b, numbers.restraint, images);
+        };
+        (restrain_one(Feature{}), ...);
     }
 
     template <class Frame>

@@ -30,6 +30,9 @@ struct sure_prefilter_numbers {
     float half_smoothing = 1;   ///< of those that guide each half
     float ridge = 1e-4f;        ///< see regularized_precision
     noise_left noise = noise_left::by_halves;
+    /// Not in the paper.  Positions may be averaged where what they carry may not: with many samples the results are
+    /// further from the truth than the features were.  Above 0, `restrain` draws them back, with this sigma in pixels.
+    float restraint = 0;
 
     bool operator==(const sure_prefilter_numbers&) const = default;
     void check() const {
