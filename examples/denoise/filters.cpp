@@ -126,6 +126,7 @@ std::vector<filter_entry> all_filters() {
     all.push_back(rdfc_entry());
     all.push_back(sbf_entry());
     all.push_back(atrous_entry());
+    all.push_back(wlr_entry());
     return all;
 }
 

@@ -78,6 +78,7 @@ filter_entry guided_entry();
 filter_entry rdfc_entry();
 filter_entry sbf_entry();
 filter_entry atrous_entry();
+filter_entry wlr_entry();
 
 const std::vector<filter_entry>& filters();
 /// Fails with the nearest name where there is no such filter.

@@ -110,3 +110,21 @@ TEST_CASE("cholesky: the factors are all there is to keep, and float loses what 
     kept.solve(y);
     for (int i = 0; i < 4; ++i) CHECK(y[i] == Approx(x[i]).epsilon(0).margin(20 * 0x1p-24 * 6));
 }
+
+TEST_CASE("cholesky: systems too large to be unrolled, and padded ones, solve alike") {
+    CHECK(residual(sum_of_products<12>(30, 1e-3), 1e-3) < 1e-12);
+    CHECK(residual(sum_of_products<19>(40, 1e-3), 1e-3) < 1e-12);
+    // 9 unknowns, and 6 rows and columns of the unit matrix behind them.
+    const symmetric<double, 9> a = sum_of_products<9>(20, 1e-3);
+    symmetric<double, 15> padded{};
+    double x[9], y[15] = {};
+    for (int i = 0; i < 15; ++i) padded.at(i, i) = 1;
+    for (int i = 0; i < 9; ++i) {
+        for (int j = 0; j <= i; ++j) padded.at(i, j) = a.at(i, j);
+        x[i] = y[i] = uniform(3, i, 0) - 0.5;
+    }
+    cholesky<double, 9>(a, 1e-3).solve(x);
+    cholesky<double, 15>(padded, 1e-3).solve(y);
+    for (int i = 0; i < 9; ++i) CHECK(y[i] == Approx(x[i]).epsilon(1e-12));
+    for (int i = 9; i < 15; ++i) CHECK(y[i] == 0);
+}

@@ -92,7 +92,7 @@ inline void check_convex(const any_filter& f, int radius) {
 }
 
 /// Flips, transposition and a quarter turn commute with the filter, up to the order of sums.
-inline void check_equivariant(const any_filter& f) {
+inline void check_equivariant(const any_filter& f, double tolerance = 1e-5) {
     const extent size{37, 22}, turned{22, 37};
     const buffers in = make_buffers(size);
     const auto check = [&](extent to, const auto& from) {
@@ -104,7 +104,7 @@ inline void check_equivariant(const any_filter& f) {
                 const auto [fx, fy] = from(x, y);
                 return before.at(fx, fy, c);
             });
-            CHECK(beyond(1e-5 * largest_magnitude(in.half_a), after, expected) == "");
+            CHECK(beyond(tolerance * largest_magnitude(in.half_a), after, expected) == "");
         }
     };
     check(size, [&](int x, int y) { return std::pair{size.width - 1 - x, y}; });

@@ -10,6 +10,7 @@
 #include <winnow/paper/nlm_2012.hpp>
 #include <winnow/paper/rdfc_2013.hpp>
 #include <winnow/paper/sbf_2012.hpp>
+#include <winnow/paper/wlr_2014.hpp>
 
 namespace winnow::test {
 
@@ -27,5 +28,6 @@ using guided_by_color = paper::guided_of<planes<color_t>>;
 any_filter erased(const guided_by_color& f);
 using guided_with_error = paper::guided_of<planes<albedo_t, normal_t, depth_t>, estimator::residual_variance>;
 any_filter erased(const guided_with_error& f);
+any_filter erased(const paper::wlr& f);
 
 }  // namespace winnow::test

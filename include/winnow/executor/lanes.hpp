@@ -57,7 +57,14 @@ struct lanes {
     WINNOW_HD static lanes min(lanes a, lanes b) { return xsimd::min(a.v, b.v); }
     WINNOW_HD static lanes max(lanes a, lanes b) { return xsimd::max(a.v, b.v); }
     WINNOW_HD static lanes sqrt(lanes a) { return xsimd::sqrt(a.v); }
-    WINNOW_HD static lanes fma(lanes a, lanes b, lanes c) { return xsimd::fma(a.v, b.v, c.v); }
+    /// xsimd 8 multiplies and adds on AVX-512 and leaves the rest to the compiler, which fuses what it pleases.
+    WINNOW_HD static lanes fma(lanes a, lanes b, lanes c) {
+#if defined(__AVX512F__)
+        return batch(_mm512_fmadd_ps(a.v, b.v, c.v));
+#else
+        return xsimd::fma(a.v, b.v, c.v);
+#endif
+    }
     WINNOW_HD static lanes select(mask m, lanes a, lanes b) { return xsimd::select(m, a.v, b.v); }
 
     /// The machine's estimate and one Newton step: y (2 - x y).
