@@ -56,6 +56,7 @@ const std::vector<prefilter_entry>& prefilters() {
                         sure f;
                         f.numbers.samples = samples;
                         f.numbers.guide_smoothing = 0.5f;
+                        f.numbers.restraint = 3;
                         return f;
                     }),
         entry<nlm>("nlm", "where its surroundings are alike but for noise", false, [](float) { return nlm{}; }),

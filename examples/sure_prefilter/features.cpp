@@ -82,8 +82,8 @@ void clean(cleaning how, named_layers& frame, int samples, int threads, workspac
             break;
         case cleaning::sure: {
             paper::sure_prefilter_of<features, rest_position_t, noise::anisotropic> f;
-            f.numbers.guide_smoothing = getenv("GS") ? float(atof(getenv("GS"))) : 0.5f;
-            f.numbers.restraint = getenv("RE") ? float(atof(getenv("RE"))) : 2.0f;
+            f.numbers.guide_smoothing = 0.5f;
+            f.numbers.restraint = 3;
             along_positions(f);
             break;
         }
@@ -107,14 +107,14 @@ void clean(cleaning how, named_layers& frame, int samples, int threads, workspac
     }
 }
 
-filtered filter(const denoise::scene& render, const std::string& filter, cleaning how, int samples, int threads,
+filtered filter(const denoise::scene& render, const chosen_filter& filter, cleaning how, int samples, int threads,
                 workspace& memory) {
-    const denoise::filter_entry& entry = denoise::find_filter(filter);
+    const denoise::filter_entry& entry = denoise::find_filter(filter.name);
     denoise::scene s = render;
     denoise::prepare(s, entry);
     denoise::scene_facts about{denoise::squared_mean(s.color().mean), s.half_share(), {}};
     for (const auto& guide : s.guides) about.has.insert(guide.first);
-    const denoise::ready_filter ready = entry.make(entry.values({}), about);
+    const denoise::ready_filter ready = entry.make(entry.values(filter.set), about);
 
     filtered r;
     r.color = image<float>(s.color().mean.size(), 3);

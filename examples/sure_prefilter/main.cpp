@@ -31,7 +31,7 @@ void say(const options& o, const nlohmann::ordered_json& j) {
     }
     std::printf("%s %s, %d samples: rendered in %.2f s, features cleaned in %.3f s, %s in %.3f s\n", o.scene.c_str(),
                 to_string(o.what.size).c_str(), o.what.settings.samples, j["seconds"]["render"].get<double>(),
-                j["seconds"]["prefilter"].get<double>(), o.filter.c_str(), j["seconds"]["filter"].get<double>());
+                j["seconds"]["prefilter"].get<double>(), o.filter.name.c_str(), j["seconds"]["filter"].get<double>());
     if (!j.contains("metrics")) return;
     for (const auto& [name, m] : j["metrics"].items())
         std::printf("%-8s mse %.6g, relative mse %.6g\n", name.c_str(), m["mse"].get<double>(),
@@ -82,7 +82,7 @@ void run(const options& o) {
         {"width", o.what.size.width},
         {"height", o.what.size.height},
         {"samples", samples},
-        {"filter", o.filter},
+        {"filter", o.filter.name},
         {"prefilter", cleaning_names[static_cast<std::size_t>(o.how)]},
         {"seconds", {{"render", render.seconds}, {"prefilter", with.clean_seconds}, {"filter", with.filter_seconds}}}};
     if (!truth.empty()) {

@@ -26,11 +26,13 @@ std::optional<options> parse(int argc, const char* const* argv) {
     o.what.size = {256, 192};
     o.what.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     o.what.settings.samples = 8;
+    std::vector<std::string> set;
     std::string size, how = cleaning_names[static_cast<std::size_t>(o.how)];
     CLI::App app(about, "sure_prefilter");
     app.add_option("--scene", o.scene, "One of those that simulate --list names");
     app.add_option("-o,--output", o.folder, "The folder for the pictures; it is made where it is not there");
-    app.add_option("--filter", o.filter, "One of those that denoise --list names")->capture_default_str();
+    app.add_option("--filter", o.filter.name, "One of those that denoise --list names")->capture_default_str();
+    app.add_option("--set", set, "key=value: a number of the filter")->allow_extra_args(false);
     app.add_option("--prefilter", how,
                    "sure, paper (Stein's estimate as published), one_spread (no covariances), nlm or bilateral")
         ->capture_default_str();
@@ -54,7 +56,12 @@ std::optional<options> parse(int argc, const char* const* argv) {
     if (o.what.settings.samples < 2)
         winnow::fail("--spp " + std::to_string(o.what.settings.samples) +
                      ": there must be at least two samples, one for each half");
-    denoise::find_filter(o.filter);
+    for (const std::string& s : set) {
+        const std::size_t at = s.find('=');
+        if (at == std::string::npos) winnow::fail("--set " + s + ": expected key=value");
+        o.filter.set.emplace_back(s.substr(0, at), s.substr(at + 1));
+    }
+    denoise::find_filter(o.filter.name).values(o.filter.set);
     return o;
 }
 

@@ -12,7 +12,7 @@ struct options {
     std::string scene;
     simulator::job what;
     std::string folder;  ///< where the pictures go
-    std::string filter = "rdfc";
+    chosen_filter filter{"rdfc", {}};
     cleaning how = cleaning::sure;
     int reference_samples = 0;  ///< per pixel, of two references that are rendered; 0: none are
     bool json = false;
