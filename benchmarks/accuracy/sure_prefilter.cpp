@@ -20,7 +20,7 @@ using namespace winnow::benchmarks;
 using sure_prefilter::cleaning;
 using sure_prefilter::cleaning_names;
 
-constexpr int seeds = 3;
+constexpr int seeds = 2;
 const std::vector<std::string> filters{"sbf", "sbf as published", "wlr", "rdfc", "atrous", "guided"};
 
 /// Errors by seed.

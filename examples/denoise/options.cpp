@@ -51,7 +51,7 @@ void list_filters() {
     }
     std::cout << "\nBefore any of them, --prefilter cleans the features:\n";
     for (const prefilter_entry& f : prefilters())
-        std::cout << f.name << std::string(18 - f.name.size(), ' ') << f.summary << '\n';
+        std::cout << "    " << f.name << std::string(14 - f.name.size(), ' ') << f.summary << '\n';
 }
 
 }  // namespace

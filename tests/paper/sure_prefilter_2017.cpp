@@ -381,3 +381,29 @@ TEST_CASE("a second run allocates nothing, and a plan knows what the first takes
     CHECK(memory.images.size() + memory.clean.size() == p.image_bytes);
     CHECK(memory.tiles.size() == p.scratch_bytes);
 }
+
+TEST_CASE("with many samples restraint keeps it from being worse than the features were") {
+    // A texture as fine as the window: positions may be averaged, what they carry may not.
+    const extent size{64, 48};
+    const auto texture = [](double x) { return 0.5 + 0.3 * std::sin(1.2 * x); };
+    noisy_features in(size, 0.3, 512);
+    const auto mean_of = [&](const image<>& p, const image<>& q) {
+        return fill(size, 3, [&](int x, int y, int c) { return (p.at(x, y, c) + q.at(x, y, c)) / 2; });
+    };
+    const auto half = [&](std::uint64_t stream) {
+        return fill(size, 3,
+                    [&, stream](int x, int y, int c) { return texture(x) + 0.02 * normal_deviate(stream, x, y, c); });
+    };
+    in.albedo_a = half(8), in.albedo_b = half(9);
+    in.albedo_mean = mean_of(in.albedo_a, in.albedo_b);
+    const image<> truth = fill(size, 3, [&](int x, int, int) { return texture(x); });
+    prefilter f;
+    f.numbers.samples = 512;
+    const double before = mean_square_difference(in.albedo_mean, truth);
+    const double published = mean_square_difference(clean(in.layers(), f).mean[0], truth);
+    f.numbers.restraint = 3;
+    const double restrained = mean_square_difference(clean(in.layers(), f).mean[0], truth);
+    CAPTURE(before, published, restrained);
+    CHECK(published > 10 * before);
+    CHECK(restrained < before);
+}

@@ -2,7 +2,7 @@
 #pragma once
 /// \file
 /// The numbers of WLR, and its choice of the bandwidth: the least estimated squared error.
-/// Moon, Carr, Yoon, "Adaptive Rendering based on Weighted Local Regression", 2014, section 5.
+/// Moon, Carr, Yoon, "Adaptive Rendering based on Weighted Local Regression", 2014.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 /// \file
 /// The coordinates of WLR: which directions of feature space a window shows beyond the features' own noise.
-/// Moon, Carr, Yoon, "Adaptive Rendering based on Weighted Local Regression", 2014, section 4: truncated singular value
+/// Moon, Carr, Yoon, "Adaptive Rendering based on Weighted Local Regression", 2014: truncated singular value
 /// decomposition.
 #include <winnow/core/symmetric_eigen.hpp>
 #include <winnow/frame/pixel_pair.hpp>
