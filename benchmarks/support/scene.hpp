@@ -8,7 +8,8 @@
 
 namespace winnow::benchmarks {
 
-/// Colour with known noise, a checkered albedo, noisy normals, a ramp of depth; halves whose mean is the colour.
+/// Colour with known noise, a checkered albedo, noisy normals, a ramp of depth, positions that spread as those of
+/// things in motion do; halves whose mean is the colour.
 struct scene {
     explicit scene(extent size)
         : color(size, 3),
@@ -20,6 +21,8 @@ struct scene {
           normal(size, 3),
           depth(size, 1),
           feature_variance(size, 3),
+          position(size, 3),
+          spread(size, 6),
           result(size, 3),
           result_a(size, 3),
           result_b(size, 3) {
@@ -39,6 +42,11 @@ struct scene {
                     feature_variance.at(x, y, c) = 1e-4f;
                 }
                 depth.at(x, y) = static_cast<float>(x) / static_cast<float>(size.width);
+                position.at(x, y, 0) = 0.01f * (static_cast<float>(x) + 3 * noise(random));
+                position.at(x, y, 1) = 0.01f * (static_cast<float>(y) + noise(random));
+                spread.at(x, y, 0) = 1e-3f;
+                spread.at(x, y, 3) = 1e-4f;
+                spread.at(x, y, 5) = 1e-6f;
             }
     }
 
@@ -56,11 +64,22 @@ struct scene {
                              winnow::normal = part(normal),
                              variance(winnow::normal) = part(feature_variance),
                              winnow::depth = part(depth),
-                             variance(winnow::depth) = part(feature_variance).channel(0)};
+                             variance(winnow::depth) = part(feature_variance).channel(0),
+                             first_half(winnow::albedo) = part(albedo),
+                             second_half(winnow::albedo) = part(half_b),
+                             first_half(winnow::normal) = part(normal),
+                             second_half(winnow::normal) = part(half_a),
+                             first_half(winnow::depth) = part(depth),
+                             second_half(winnow::depth) = part(albedo).channel(0),
+                             winnow::position = part(position),
+                             first_half(winnow::position) = part(position),
+                             second_half(winnow::position) = part(position),
+                             covariance(winnow::position) = part(spread)};
     }
     auto frame() const { return frame({0, 0, color.size().width, color.size().height}); }
 
     image<float> color, half_a, half_b, color_variance, half_variance, albedo, normal, depth, feature_variance;
+    image<float> position, spread;
     image<float> result, result_a, result_b;
 };
 

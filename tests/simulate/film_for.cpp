@@ -39,8 +39,9 @@ static_assert(std::is_same_v<kept<shiny, curious>,
 static_assert(kept<lit, curious, paper::rdfc_candidate>::count ==
               joined<kept<lit, curious>, kept<lit, paper::rdfc_candidate>>::count);
 
-TEST_CASE("the complete film of a scene has every guide with its variance and its halves") {
+TEST_CASE(
+    "the complete film of a scene has every guide with its variance and its halves, and the spread of positions") {
     using complete = complete_film<lit::effects>;
-    CHECK(complete::planes::count == 4 * lit::effects::gives::count);
+    CHECK(complete::planes::count == 4 * lit::effects::gives::count + 6);
     CHECK(complete::inputs::count == lit::effects::gives::count);
 }
