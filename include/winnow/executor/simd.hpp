@@ -10,7 +10,7 @@ namespace winnow::executor {
 /// One thread, all its lanes.
 struct simd {
     using role = role::executor;
-    extent tile{128, 64};  ///< pixels worked on at a time: a matter of cache, never of results
+    extent tile = offset_major::usual_tile;  ///< pixels worked on at a time: a matter of cache, never of results
 
     offset_major kernel() const { return {tile}; }
     int workers() const { return 1; }

@@ -66,18 +66,18 @@ struct position_bandwidth {
             return count ? std::max(1.0f, contained(count, x, y)) : numbers.samples;
         };
         for_each_row(passes.executor(), size, [&](int y) {
+            // The positions of the row, where their precisions will be.
+            for (int c = 0; c < 3; ++c) contained_row(position.channel(c), y, 0, size.width, &precisions.at(0, y, c));
             for (int x = 0; x < size.width; ++x) {
-                double square = 0;
-                for (int c = 0; c < 3; ++c) {
-                    const double p = contained(position.channel(c), x, y);
-                    square += p * p;
-                }
+                const auto at = [&](int c) { return double{precisions.at(x, y, c)}; };
+                const double from_origin = std::sqrt(at(0) * at(0) + at(1) * at(1) + at(2) * at(2));
                 std::array<float, 6> covariance;
                 for (int c = 0; c < 6; ++c) covariance[c] = spread.at(x, y, c);
-                const auto inverse = regularized_precision(covariance, std::sqrt(square), numbers.ridge);
+                const auto inverse = regularized_precision(covariance, from_origin, numbers.ridge);
+                const float share = 1 / samples(x, y);
                 for (int c = 0; c < 6; ++c) {
                     precisions.at(x, y, c) = inverse[c];
-                    spread.at(x, y, c) /= samples(x, y);
+                    spread.at(x, y, c) = share * covariance[c];
                 }
             }
         });
