@@ -321,7 +321,8 @@ void prepare(scene& s, const filter_entry& filter) {
             continue;
         }
         // Of one file, the variance is that of a renderer's samples, which may be stratified.
-        if ((name == "color" || normalised) && s.half_a_renders + s.half_b_renders <= 2 && b.variance.channels() && b.has_halves())
+        if ((name == "color" || normalised) && s.half_a_renders + s.half_b_renders <= 2 && b.variance.channels() &&
+            b.has_halves())
             scale_variance_to_halves(b.variance.view(), b.half_a.view(), b.half_b.view(), b.variance.view(), 10, share);
         if (!b.variance.channels() && (name == "color" || normalised)) {
             if (b.has_halves()) {
