@@ -151,7 +151,9 @@ file_layer layer_finder::further(const std::string& name) const {
         file_layer all{contains(matching, name) ? name : matching[0], {}};
         for (const std::string& channel : channels_)
             if (layer_of(channel) == all.name) all.channels.push_back(channel);
-        return all;
+        // Files list B before G before R.
+        const auto rgb = with_channels(all.name, 3);
+        return rgb && all.channels.size() == 3 ? *rgb : all;
     }
     if (contains(channels_, name)) return {name, {name}};
     winnow::fail(file_ + ": there is no layer " + name + programs::did_you_mean(name, layers_));

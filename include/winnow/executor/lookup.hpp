@@ -67,7 +67,9 @@ inline constexpr bool is_looked_up<looked_up<Role, Slopes>> = true;
 template <class Node>
 struct found : std::bool_constant<is_looked_up<Node>> {};
 
-/// Stands where a weight stood that depends on the offset alone.
+/// Stands where a weight stood that depends on the offset alone: its value, and behind it its exponent, if it has one.
+/// Exponents of a product are added before they are cut, whoever works them out.
+template <bool Exponential>
 struct looked_up_by_offset {
     using role = winnow::role::weight;
     using reads = planes<>;
@@ -76,7 +78,11 @@ struct looked_up_by_offset {
 
     template <class Real, class Planes>
     WINNOW_HD Real operator()(const pixel_pair<Real, Planes>& pq) const {
-        return pq.of_offset(index);
+        return pq.of_offset(2 * index);
+    }
+    template <class Real, class Planes>
+    WINNOW_HD Real exponent(const pixel_pair<Real, Planes>& pq) const requires Exponential {
+        return pq.of_offset(2 * index + 1);
     }
 };
 
@@ -230,16 +236,20 @@ public:
     /// The weights with these looked up.
     const auto& weights() const { return weights_; }
 
-    /// [offset][weight]: their values at each offset of a group, in the arithmetic of these lanes.
+    /// [offset][weight]: their values and exponents at each offset of a group, in the arithmetic of these lanes.
     template <class Lanes>
     auto table(const offset_group& offsets) const {
-        std::array<std::array<float, count>, offset_group::largest> values;
+        std::array<std::array<float, 2 * count>, offset_group::largest> values;
         for (int i = 0; i < offsets.size(); ++i) {
             const pixel_pair<Lanes, planes<>> pq(nullptr, nullptr, {}, offsets.dx(i), offsets.dy);
             detail::for_each_node(nodes_, [&](const auto& node, std::size_t k) {
-                float all[Lanes::size];
-                node(pq).store(all);
-                values[static_cast<std::size_t>(i)][k] = all[0];
+                const auto keep = [&](std::size_t place, const Lanes& value) {
+                    float all[Lanes::size];
+                    value.store(all);
+                    values[static_cast<std::size_t>(i)][place] = all[0];
+                };
+                keep(2 * k, node(pq));
+                if constexpr (requires { node.exponent(pq); }) keep(2 * k + 1, node.exponent(pq));
             });
         }
         return values;
@@ -248,7 +258,11 @@ public:
 private:
     static auto looked_up(const Weights& weights) {
         int next = 0;
-        const auto replace = [&next]<class Node>(const Node&) { return detail::looked_up_by_offset{next++}; };
+        const auto replace = [&next]<class Node>(const Node&) {
+            using pair = pixel_pair<float, planes<>>;
+            constexpr bool exponential = requires(const Node& node, const pair& pq) { node.exponent(pq); };
+            return detail::looked_up_by_offset<exponential>{next++};
+        };
         return std::apply(
             [&](const auto&... w) {
                 return std::tuple<decltype(rewrite<detail::depends_on_offset_alone>(w, replace))...>{
