@@ -476,7 +476,7 @@ TEST_CASE("bad input is refused in one line that names file, layer and sizes") {
           r.in.name("bare.exr") +
               ": joint_bilateral needs albedo, which is not there (layers: B, G, R); name it with --map albedo=LAYER");
     CHECK(r.refusal(r.in.name("a.exr") + " " + r.in.name("bare.exr") + r.to + " --filter bilateral --layers diffuse") ==
-          r.in.name("bare.exr") + ": there is no diffuse.B, but " + r.in.name("a.exr") + " has it");
+          r.in.name("bare.exr") + ": there is no diffuse.R, but " + r.in.name("a.exr") + " has it");
     CHECK(r.refusal(r.in.name("bare.exr") + r.to + " --filter nlm_dual")
               .starts_with(r.in.name("bare.exr") + ": nlm_dual needs two halves"));
     CHECK(r.refusal(r.in.name("a.exr") + r.to + " --filter rdfc_candidate")
